@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/front_end.hpp"
