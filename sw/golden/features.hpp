@@ -6,6 +6,10 @@
 
 namespace trihedron {
 
+/// Fraction bits of the gradient: a grey level per px is kGradientScale units.
+constexpr int kGradientFractionBits = 3;
+constexpr int kGradientScale = 1 << kGradientFractionBits;
+
 /// Flags of one contour beat.
 enum ContourFlag : std::uint8_t {
   kContour = 1,       ///< second contour: one pixel wide
@@ -25,9 +29,10 @@ struct ContourBeat {
 
 /// One record of the vertex stream.
 struct Vertex {
-  std::uint16_t x = 0;         ///< column, px
-  std::uint16_t y = 0;         ///< row, px
-  std::uint8_t branches = 0;   ///< contour branches that meet here (2: a bend, 3 or more: a junction)
+  std::uint16_t x = 0;  ///< column, px
+  std::uint16_t y = 0;  ///< row, px
+  std::uint8_t branches =
+      0;  ///< contour branches that meet here (2: a bend, 3 or more: a junction)
   std::uint16_t pattern = 0;   ///< index of the matched 5x5 vertex pattern
   std::uint16_t strength = 0;  ///< curvature value of the match
 };
@@ -35,8 +40,8 @@ struct Vertex {
 /// Everything that leaves the hardware's ports for one frame of one view. Software sees
 /// nothing else of the image.
 struct ViewFeatures {
-  int width = 0;   ///< px
-  int height = 0;  ///< px
+  int width = 0;                     ///< px
+  int height = 0;                    ///< px
   std::vector<ContourBeat> contour;  ///< width * height beats, raster order
   std::vector<Vertex> vertices;      ///< in stream order
   std::uint32_t vertices_lost = 0;   ///< did not fit into the frame's list

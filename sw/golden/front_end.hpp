@@ -4,11 +4,18 @@
 #include <cstdint>
 
 #include "golden/features.hpp"
+#include "golden/first_contour.hpp"
+#include "golden/second_contour.hpp"
+#include "golden/vertices.hpp"
 
 namespace trihedron::golden {
 
 /// The front end's thresholds, with the reset values of the hardware's registers.
-struct FrontEndConfig {};
+struct FrontEndConfig {
+  FirstContourConfig first_contour;
+  SecondContourConfig second_contour;
+  VertexConfig vertices;
+};
 
 /// The features of one 8-bit grey image of `width` x `height` px, rows `stride` bytes apart:
 /// gradient, first contour, second contour and vertices in turn. Bit-identical to the RTL.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "golden/features.hpp"
+#include "golden/plane.hpp"
+
+namespace trihedron::golden {
+
+/// Stage 1. Four 5x5 spline derivatives H, V (128 per grey level and px), D, E (64 times 3/4 of
+/// d/dx + d/dy and of d/dy - d/dx, that is 68 per grey level and px along the diagonals):
+///
+///        H = smooth(y) (x) slope(x)       V = transpose of H
+///        slope  = [-1 -2 0 2 1]           smooth = [1 4 6 4 1]
+///
+///             [-2 -2 -3 -1  0]
+///             [-2 -4 -3  0  1]
+///        D =  [-3 -3  0  3  3]            E = D mirrored left to right
+///             [-1  0  3  4  2]
+///             [ 0  1  3  2  2]
+///
+///        magnitude = min((|H| + |V| + 2|D| + 2|E|) / 512, 64 - 1/scale)  mean of the four
+///        gx        = (H + 4 (D - E)) / 512                               their common slope
+///        gy        = (V + 4 (D + E)) / 512
+///
+/// in units of 1/kGradientScale grey level per px, each rounded to nearest, halves away from
+/// zero. |gx|, |gy| < 88 grey levels per px. docs/stages/gradient.md derives masks and widths.
+struct GradientImage {
+  Plane<std::int16_t> gx;
+  Plane<std::int16_t> gy;
+  Plane<std::uint16_t> magnitude;  ///< kMagnitudeBits wide
+};
+
+/// Width of the magnitude, bits: it saturates at 64 grey levels per px.
+constexpr int kMagnitudeBits = 6 + kGradientFractionBits;
+constexpr int kMaxMagnitude = (1 << kMagnitudeBits) - 1;
+
+/// Width of gx and gy with sign, bits.
+constexpr int kSlopeBits = 8 + kGradientFractionBits;
+
+/// The gradient of an 8-bit grey image of `width` x `height` px, rows `stride` bytes apart. A
+/// pixel whose window leaves the image has gradient 0.
+GradientImage gradient(const std::uint8_t* grey, int width, int height, int stride);
+
+}  // namespace trihedron::golden
