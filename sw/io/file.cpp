@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/file.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "golden/error.hpp"
+
+namespace trihedron {
+
+namespace fs = std::filesystem;
+
+void require_file(const fs::path& file, const std::string& what) {
+  std::error_code error;
+  if (!fs::exists(file, error)) throw Error(file.string() + ": no such file; expected " + what);
+  if (!fs::is_regular_file(file, error))
+    throw Error(file.string() + ": not a file; expected " + what);
+  if (!std::ifstream(file)) throw Error(file.string() + ": cannot be opened; expected " + what);
+}
+
+void require_folder(const fs::path& folder, const std::string& what) {
+  std::error_code error;
+  if (!fs::exists(folder, error))
+    throw Error(folder.string() + ": no such folder; expected " + what);
+  if (!fs::is_directory(folder, error))
+    throw Error(folder.string() + ": not a folder; expected " + what);
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    throw Error(folder.string() + ": cannot make this folder (" + error.message() + ")");
+}
+
+std::string read_whole(const fs::path& file, const std::string& what) {
+  require_file(file, what);
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (in.bad()) throw Error(file.string() + ": reading failed; expected " + what);
+  return bytes;
+}
+
+void write_whole(const fs::path& file, const std::string& bytes) {
+  fs::path beside = file;
+  beside += ".part" + std::to_string(getpid());
+  std::ofstream out(beside, std::ios::binary);
+  out << bytes;
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(beside, file, error);
+  if (!out || error) {
+    fs::remove(beside, error);
+    throw Error(file.string() + ": cannot be written; expected a writable folder with room");
+  }
+}
+
+}  // namespace trihedron
