@@ -14,4 +14,7 @@ function(trihedron_library name)
   target_compile_options(trihedron_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
   target_link_libraries(trihedron_${name} PUBLIC ${ARGN})
   set_target_properties(trihedron_${name} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS trihedron_${name} EXPORT trihedron ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY . DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trihedron/${name}
+          FILES_MATCHING PATTERN "*.hpp")
 endfunction()
