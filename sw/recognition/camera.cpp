@@ -92,6 +92,20 @@ Ray Camera::ray(const Vector2d& pixel) const {
   return {world_from_camera.t, world_from_camera.R * Vector3d(p.x(), p.y(), 1).normalized()};
 }
 
+Eigen::Matrix<double, 2, 3> Camera::projection_jacobian(const Vector3d& x_in_world) const {
+  Eigen::Matrix<double, 2, 3> in_camera = Eigen::Matrix<double, 2, 3>::Zero();
+  if (projection == Projection::kOrthographic) {
+    in_camera.leftCols<2>().diagonal().setConstant(px_per_mm);
+  } else {
+    const Vector3d x = camera_from_world * x_in_world;
+    const Vector2d p = x.head<2>() / x.z();
+    in_camera << 1 / x.z(), 0, -p.x() / x.z(), 0, 1 / x.z(), -p.y() / x.z();
+    if (has_distortion(*this)) in_camera = distort(distortion, p).jacobian * in_camera;
+    in_camera = K.topLeftCorner<2, 2>().triangularView<Eigen::Upper>() * in_camera;
+  }
+  return in_camera * camera_from_world.R;
+}
+
 double Camera::px_per_mm_at(const Vector3d& x_in_world) const {
   if (projection == Projection::kOrthographic) return px_per_mm;
   return std::sqrt(K(0, 0) * K(1, 1)) / (camera_from_world * x_in_world).z();

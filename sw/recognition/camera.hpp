@@ -34,6 +34,8 @@ struct Camera {
   Eigen::Vector2d project_camera(const Eigen::Vector3d& x_in_camera) const;
   /// Image position in px of a point in the world frame, mm.
   Eigen::Vector2d project(const Eigen::Vector3d& x_in_world) const;
+  /// Derivative of project() by the point: px per mm along the world's axes.
+  Eigen::Matrix<double, 2, 3> projection_jacobian(const Eigen::Vector3d& x_in_world) const;
   /// The ray, in the world frame, of the points that project onto `pixel`.
   Ray ray(const Eigen::Vector2d& pixel) const;
   /// Distance in px that one mm covers at `x_in_world`, across the line of sight.

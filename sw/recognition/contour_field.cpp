@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/contour_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace trihedron {
+namespace {
+
+/// Standard deviation that rounding to 8 bits gives a gradient component, grey levels per px:
+/// uniform rounding noise of 1/sqrt(12) through the spline derivative's taps [1 -6 0 6 -1] / 8.
+constexpr double kRoundingNoise = 0.29 * 1.075;
+/// A standard normal variable's median magnitude.
+constexpr double kMedianOfNormal = 0.6745;
+/// Half width of the bell that weights a profile, px: covers a blurred edge's gradient (the
+/// derivative's own 2 px and a blur of about 1 px) and leaves out lines 4 px away.
+constexpr double kBellPx = 3.0;
+constexpr double kPi = 3.14159265358979323846;
+
+double bell(double u) {
+  if (std::abs(u) >= kBellPx) return 0;
+  const double c = std::cos(0.5 * kPi / kBellPx * u);
+  return c * c;
+}
+
+}  // namespace
+
+ContourField::ContourField(const ViewFeatures& features)
+    : features_(&features), width_(features.width), height_(features.height) {
+  columns_ = (width_ + kCellPx - 1) / kCellPx;
+  rows_ = (height_ + kCellPx - 1) / kCellPx;
+  constexpr std::size_t kStride = 13;  // a sample of the pixels will do, prime to most widths
+  std::vector<int> magnitudes;
+  for (std::size_t i = 0; i < features.contour.size(); i += kStride) {
+    magnitudes.push_back(std::abs(features.contour[i].gx));
+    magnitudes.push_back(std::abs(features.contour[i].gy));
+  }
+  if (!magnitudes.empty()) {
+    const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+    std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+    noise_ = *middle / kMedianOfNormal;
+  }
+  noise_ = std::max(noise_, kRoundingNoise * kGradientScale);
+  build_bins(features);
+  build_spread();
+}
+
+int ContourField::bin_of(double gx, double gy) {
+  if (gy < 0) {
+    gx = -gx;
+    gy = -gy;
+  }
+  // The direction lies in [0, 180) degrees; bin 0 is centred on the x axis.
+  constexpr double kT1 = 0.19891236737965800;  // tan 11.25 degrees
+  constexpr double kT3 = 0.66817863791929892;  // tan 33.75 degrees
+  const double ax = std::abs(gx);
+  int bin;
+  if (gy <= kT1 * ax) {
+    bin = 0;
+  } else if (gy <= kT3 * ax) {
+    bin = 1;
+  } else if (ax >= kT3 * gy) {
+    bin = 2;
+  } else if (ax >= kT1 * gy) {
+    bin = 3;
+  } else {
+    return 4;
+  }
+  return gx >= 0 || bin == 0 ? bin : kBins - bin;
+}
+
+void ContourField::build_bins(const ViewFeatures& features) {
+  bins_.assign(features.contour.size(), 0);
+  for (std::size_t i = 0; i < features.contour.size(); ++i) {
+    const ContourBeat& beat = features.contour[i];
+    if (beat.contour()) bins_[i] = static_cast<std::uint8_t>(1U << bin_of(beat.gx, beat.gy));
+  }
+}
+
+void ContourField::build_spread() {
+  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  std::vector<std::uint8_t> own(cells, 0);
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const std::uint8_t mask = bins_[static_cast<std::size_t>(y) * width_ + x];
+      if (mask) own[static_cast<std::size_t>(y / kCellPx) * columns_ + x / kCellPx] |= mask;
+    }
+  }
+  std::vector<std::uint8_t> rows(cells);
+  for (int level = 0; level < kLevels; ++level) {
+    const int reach = 1 << level;
+    std::vector<std::uint8_t>& out = spread_[level];
+    out.assign(cells, 0);
+    for (int y = 0; y < rows_; ++y) {
+      for (int x = 0; x < columns_; ++x) {
+        std::uint8_t mask = 0;
+        const int last = std::min(columns_ - 1, x + reach);
+        for (int i = std::max(0, x - reach); i <= last; ++i) mask |= own[y * columns_ + i];
+        rows[y * columns_ + x] = mask;
+      }
+    }
+    for (int y = 0; y < rows_; ++y) {
+      for (int j = std::max(0, y - reach); j <= std::min(rows_ - 1, y + reach); ++j) {
+        for (int x = 0; x < columns_; ++x) out[y * columns_ + x] |= rows[j * columns_ + x];
+      }
+    }
+    for (std::uint8_t mask : out) {
+      for (int bin = 0; bin < kBins; ++bin) density_[level][bin] += (mask >> bin) & 1;
+    }
+    for (double& d : density_[level]) d /= static_cast<double>(std::max<std::size_t>(1, cells));
+  }
+}
+
+double ContourField::nearest_contour(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
+                                     double reach_px) const {
+  const int bin = bin_of(normal.x(), normal.y());
+  const auto accepted = static_cast<std::uint8_t>((1U << bin) | (1U << ((bin + 1) % kBins)) |
+                                                  (1U << ((bin + kBins - 1) % kBins)));
+  // A walk in whole steps along the longer component visits every row (or column) once and
+  // looks at two neighbours in it, so that it cannot slip through a one-pixel-wide contour.
+  const bool along_x = std::abs(normal.x()) >= std::abs(normal.y());
+  const double longer = along_x ? normal.x() : normal.y();
+  const Eigen::Vector2d step = normal / std::abs(longer);
+  const int steps = static_cast<int>(reach_px * std::abs(longer));
+  for (int i = 0; i <= 2 * steps; ++i) {
+    const int k = (i & 1) ? (i + 1) / 2 : -i / 2;
+    const Eigen::Vector2d p = x + k * step;
+    const int px = static_cast<int>(std::floor(along_x ? p.x() + 0.5 : p.x()));
+    const int py = static_cast<int>(std::floor(along_x ? p.y() : p.y() + 0.5));
+    if (px < 0 || py < 0 || px + 1 >= width_ || py + 1 >= height_) continue;
+    const std::uint8_t here = directions(px, py) & accepted;
+    const std::uint8_t beside = directions(px + !along_x, py + along_x) & accepted;
+    if (!here && !beside) continue;
+    const Eigen::Vector2d hit(here ? px : px + !along_x, here ? py : py + along_x);
+    return normal.dot(hit - x);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+Eigen::Vector2d ContourField::gradient(const Eigen::Vector2d& x) const {
+  const int ix = static_cast<int>(x.x()), iy = static_cast<int>(x.y());
+  const double fx = x.x() - ix, fy = x.y() - iy;
+  const ContourBeat* a = &features_->contour[static_cast<std::size_t>(iy) * width_ + ix];
+  const ContourBeat* b = a + width_;
+  const double w00 = (1 - fx) * (1 - fy), w10 = fx * (1 - fy), w01 = (1 - fx) * fy, w11 = fx * fy;
+  return {w00 * a[0].gx + w10 * a[1].gx + w01 * b[0].gx + w11 * b[1].gx,
+          w00 * a[0].gy + w10 * a[1].gy + w01 * b[0].gy + w11 * b[1].gy};
+}
+
+EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
+  constexpr int kReach = 5;
+  constexpr int kRounds = 4;
+  double g[2 * kReach + 1];
+  for (int i = 0; i <= 2 * kReach; ++i) g[i] = normal.dot(gradient(x + (i - kReach) * normal));
+  EdgeProfile out;
+  double centre = 0, sum = 0, squares = 0, spread = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    // The centre of gravity under a bell that follows it: unbiased for any symmetric blur.
+    double moment = 0;
+    sum = squares = spread = 0;
+    for (int i = 0; i <= 2 * kReach; ++i) {
+      const double u = i - kReach - centre, w = bell(u);
+      sum += w * g[i];
+      moment += w * g[i] * u;
+      squares += w * w;
+      spread += w * w * u * u;
+    }
+    if (std::abs(sum) < noise_) break;
+    centre = std::clamp(centre + moment / sum, -2.0, 2.0);
+  }
+  out.offset_px = centre;
+  out.height = sum;
+  out.sigma_height = noise_ * std::sqrt(squares);
+  out.sigma_px = noise_ * std::sqrt(spread) / std::max(std::abs(sum), 1e-9);
+  return out;
+}
+
+}  // namespace trihedron

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "golden/features.hpp"
+
+namespace trihedron {
+
+/// What an image line looks like in the gradient, across it.
+struct EdgeProfile {
+  double offset_px = 0;     ///< of the edge from the point asked for, along the normal
+  double height = 0;        ///< grey step across the edge, gradient units * px, signed: positive
+                            ///< when the grey level grows along the normal
+  double sigma_height = 1;  ///< standard deviation of `height` by image noise alone
+  double sigma_px = 1;      ///< standard deviation of `offset_px` by image noise alone
+};
+
+/// One view's contour stream, prepared for questions along predicted image lines. Directions
+/// are of the gradient, modulo 180 degrees: a predicted line does not know which side is
+/// brighter.
+class ContourField {
+ public:
+  static constexpr int kBins = 8;    ///< of 22.5 degrees
+  static constexpr int kCellPx = 4;  ///< of the spread maps
+  static constexpr int kLevels = 3;  ///< spread maps: cells within 1, 2, 4 cells
+
+  explicit ContourField(const ViewFeatures& features);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Standard deviation of a gradient component where the image is flat, from its median
+  /// magnitude: image noise and texture, at least that of rounding to 8 bits.
+  double noise() const { return noise_; }
+  /// Share of the spread map's cells, at `level`, that hold the direction bin.
+  double density(int level, int bin) const { return density_[level][bin]; }
+
+  bool inside(const Eigen::Vector2d& x, double margin_px) const {
+    return x.x() >= margin_px && x.y() >= margin_px && x.x() <= width_ - 1 - margin_px &&
+           x.y() <= height_ - 1 - margin_px;
+  }
+  /// Whether some contour pixel of about this direction lies near x: within 1, 2 or 4 cells.
+  bool near(int level, const Eigen::Vector2d& x, int bin) const {
+    const int column = static_cast<int>(x.x()) / kCellPx, row = static_cast<int>(x.y()) / kCellPx;
+    if (x.x() < 0 || x.y() < 0 || column >= columns_ || row >= rows_) return false;
+    return (spread_[level][row * columns_ + column] >> bin) & 1;
+  }
+  /// Direction bins of the contour pixel at (x, y), as a bit mask; 0: no contour.
+  std::uint8_t directions(int x, int y) const { return bins_[y * width_ + x]; }
+
+  /// The contour nearest to `x` along `normal` within `reach_px`, whose direction agrees within
+  /// about 30 degrees: its distance in px along the normal, or nothing (NaN).
+  double nearest_contour(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
+                         double reach_px) const;
+  /// The edge within about 1.5 px of `x` across `normal`, to a small part of a pixel. The point
+  /// must lie kProfilePx inside the image.
+  EdgeProfile profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  /// Gradient at `x`, between the pixels, image units.
+  Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
+
+  static constexpr double kProfilePx = 6;
+  /// The bin of a gradient direction.
+  static int bin_of(double gx, double gy);
+
+ private:
+  void build_bins(const ViewFeatures& features);
+  void build_spread();
+
+  const ViewFeatures* features_;
+  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  double noise_ = 0;
+  std::vector<std::uint8_t> bins_;
+  std::vector<std::uint8_t> spread_[kLevels];
+  double density_[kLevels][kBins] = {};
+};
+
+}  // namespace trihedron
