@@ -80,13 +80,13 @@ TEST_CASE("a moved copy is found with its motion, a mirrored one is not") {
 
 TEST_CASE("the symmetries of the ten bundled models are those that their makers list") {
   const auto info =
-      nlohmann::json::parse(std::ifstream(TRIHEDRON_TESTVECTORS "/models/models_info.json"));
+      nlohmann::json::parse(std::ifstream(TRIHEDRON_TESTVECTORS "/models10/models_info.json"));
   constexpr double kDigitsMm = 2e-3;  // rotations are listed with six digits, x 100 mm
   for (int id = 1; id <= 10; ++id) {
     char file[32];
     std::snprintf(file, sizeof file, "/obj_%06d.ply", id);
     const Model model =
-        build_model(id, file, read_mesh(std::string(TRIHEDRON_TESTVECTORS "/models") + file));
+        build_model(id, file, read_mesh(std::string(TRIHEDRON_TESTVECTORS "/models10") + file));
     const auto& entry = info.at(std::to_string(id));
     const auto listed = entry.value("symmetries_discrete", std::vector<std::vector<double>>());
     INFO(file);
