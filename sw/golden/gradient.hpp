@@ -8,24 +8,23 @@
 
 namespace trihedron::golden {
 
-/// Stage 1. Four 5x5 spline derivatives H, V (128 per grey level and px), D, E (64 times 3/4 of
-/// d/dx + d/dy and of d/dy - d/dx, that is 68 per grey level and px along the diagonals):
+/// Stage 1. Four 5x5 spline derivatives: H along x and V along y, 256 per grey level and px; D
+/// down right and E down left, 64 times 3/4 of d/dy + d/dx and of d/dy - d/dx, that is 68 per
+/// grey level and px along the diagonals:
 ///
-///        H = smooth(y) (x) slope(x)       V = transpose of H
-///        slope  = [-1 -2 0 2 1]           smooth = [1 4 6 4 1]
+///   H = smooth(y) (x) slope(x)          [-1 -2 -3 -1  0]
+///   V = transpose of H                  [-2 -4 -5  0  1]
+///   slope  = [-1 -6 0 6 1]         D =  [-3 -5  0  5  3]     E = D mirrored left to right
+///   smooth = [1 4 6 4 1]                [-1  0  5  4  2]
+///                                       [ 0  1  3  2  1]
 ///
-///             [-2 -2 -3 -1  0]
-///             [-2 -4 -3  0  1]
-///        D =  [-3 -3  0  3  3]            E = D mirrored left to right
-///             [-1  0  3  4  2]
-///             [ 0  1  3  2  2]
-///
-///        magnitude = min((|H| + |V| + 2|D| + 2|E|) / 512, 64 - 1/scale)  mean of the four
-///        gx        = (H + 4 (D - E)) / 512                               their common slope
-///        gy        = (V + 4 (D + E)) / 512
+///   magnitude = min((|H| + |V| + 4|D| + 4|E|) / 1024, 64 - 1/scale)   mean of the four
+///   gx        = (H + 8 (D - E)) / 1024                                their common slope
+///   gy        = (V + 8 (D + E)) / 1024
 ///
 /// in units of 1/kGradientScale grey level per px, each rounded to nearest, halves away from
-/// zero. |gx|, |gy| < 88 grey levels per px. docs/stages/gradient.md derives masks and widths.
+/// zero. |gx|, |gy| < 96 grey levels per px; the magnitude is 0.62 to 0.69 times the length of
+/// (gx, gy), depending on the direction. docs/stages/gradient.md derives masks and widths.
 struct GradientImage {
   Plane<std::int16_t> gx;
   Plane<std::int16_t> gy;
