@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
+#include "recognition/crossing.hpp"
+#include "recognition/index.hpp"
+#include "recognition/model.hpp"
 #include "recognition/transform.hpp"
 
 namespace trihedron {
@@ -11,5 +16,25 @@ struct PoseHypothesis {
   Transform world_from_model;  ///< mm
   double support = 0;          ///< larger is likelier; comparable within one scene only
 };
+
+struct HypothesisOptions {
+  double length_tolerance_px = 6;    ///< of an edge with two agreed ends: both ends are rounded
+  double angle_tolerance_rad = 0.1;  ///< between two measured directions
+  int max_coarse = 3000;             ///< poses that are refined and scored finely
+  int max_hypotheses = 1000;
+};
+
+struct HypothesisStatistics {
+  int poses = 0;     ///< from all sources
+  int distinct = 0;  ///< after refinement and merging
+};
+
+/// Poses of the library's models that explain some of the crossed edges, likeliest first.
+std::vector<PoseHypothesis> find_hypotheses(const std::vector<ViewLines>& views,
+                                            const std::vector<SpaceEdge>& edges,
+                                            const std::vector<Model>& library,
+                                            const LibraryIndex& index,
+                                            const HypothesisOptions& options = {},
+                                            HypothesisStatistics* statistics = nullptr);
 
 }  // namespace trihedron
