@@ -15,7 +15,7 @@ ViewFeatures run_front_end(const std::uint8_t* grey, int width, int height, int 
                 std::to_string(kMinFrameSide));
   }
   const GradientImage image = gradient(grey, width, height, stride);
-  const Plane<std::uint8_t> first = first_contour(image, config.first_contour);
+  const Plane<std::uint8_t> first = first_contour(image.magnitude, config.first_contour);
   const Plane<std::uint8_t> second = second_contour(image, first, config.second_contour);
 
   ViewFeatures features;

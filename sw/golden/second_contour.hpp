@@ -12,7 +12,7 @@ namespace trihedron::golden {
 struct SecondContourConfig {
   /// Smallest weighted sum of the window's first-contour magnitudes, 1/kGradientScale grey level
   /// per px.
-  int support = 64;
+  int support = 144;
 };
 
 /// Stage 3 (provisional definition). The first-contour pixels on the ridge of the magnitude
