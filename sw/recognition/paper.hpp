@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "recognition/paper_hypotheses.hpp"
+#include "recognition/paper_verification.hpp"
+#include "recognition/recognize.hpp"
+#include "recognition/surfaces.hpp"
+
+namespace trihedron {
+
+/// What became of one model of the priority list.
+struct PaperIdentification {
+  int model = 0;                    ///< index into the library
+  std::vector<PaperMatch> matches;  ///< identified surfaces
+  Transform world_from_model;
+  double error_mm = 0;       ///< positioning error d of the paper's Table 6
+  bool accepted = false;     ///< false: one of its surfaces belongs to a model before it
+  bool truncated = false;    ///< the path search ended early
+};
+
+/// The paper's Tables 1-6 of one scene.
+struct PaperTrace {
+  double error_mm = 0;                  ///< the Error of eqs. 5-8
+  std::array<int, 3> regions{};         ///< closed regions of top, side, front
+  int incomplete = 0;                   ///< regions that could not be described in 3D
+  int duplicates = 0;                   ///< described ones that a higher view holds too
+  std::vector<CrossedSurface> surfaces;  ///< Table 1
+  std::vector<std::vector<PaperHypothesis>> hypotheses;  ///< Table 2, per surface
+  std::vector<PaperIdentification> priority_list;        ///< Tables 3-6, in order of priority
+  double seconds = 0;                   ///< identification and positioning (Table 6)
+};
+
+/// The paper's name of a surface: s (top), l (side) or f (front) and the number of its region,
+/// from 1.
+std::string paper_name(const CrossedSurface& surface);
+
+/// The source method, docs/paper.md: regions, data crossing, hypotheses, surface-pair sequences,
+/// priority list, two-step positioning. Uses one top, one side and one front view; perspective
+/// views as scaled orthographic ones. Throws Error when one of the three is missing. `trace`, when
+/// given, receives the paper's tables.
+RecognitionResult recognize_paper(const std::vector<View>& views,
+                                  const std::vector<Model>& library,
+                                  const RecognitionOptions& options = {},
+                                  PaperTrace* trace = nullptr);
+
+}  // namespace trihedron
