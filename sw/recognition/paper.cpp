@@ -43,6 +43,7 @@ void make_surfaces(const std::array<PlanarView, 3>& planar, const RegionsByRole&
   trace->error_mm = crossing_error_mm(planar, library);
   const CrossingResult crossed = cross_views(planar, regions, trace->error_mm);
   trace->incomplete = crossed.incomplete;
+  trace->not_planar = crossed.not_planar;
   trace->surfaces = without_duplicates(crossed.surfaces, table_corner(planar[0]));
   trace->duplicates = static_cast<int>(crossed.surfaces.size() - trace->surfaces.size());
 }
@@ -51,17 +52,19 @@ void make_surfaces(const std::array<PlanarView, 3>& planar, const RegionsByRole&
 struct Identification {
   const std::vector<Model>& library;
   std::vector<PaperModel> models;
-  std::vector<SurfaceAttributes> scene;
-  std::vector<std::vector<SpacePolygon>> loops;
+  PaperScene scene;
 };
 
-Identification prepare(const std::vector<Model>& library, const PaperTrace& trace) {
-  Identification work{library, {}, {}, {}};
+Identification prepare(const std::vector<Model>& library, const std::array<PlanarView, 3>& planar,
+                       const RegionsByRole& regions, const PaperTrace& trace) {
+  Identification work{library, {}, {}};
   for (const Model& model : library) work.models.push_back(paper_model(model));
   for (const CrossedSurface& surface : trace.surfaces) {
-    work.scene.push_back(surface.attributes);
-    work.loops.push_back(surface.loops);
+    work.scene.surfaces.push_back(surface.attributes);
+    work.scene.loops.push_back(surface.loops);
   }
+  work.scene.corners = measure_corners(planar, regions);
+  work.scene.error_mm = trace.error_mm;
   return work;
 }
 
@@ -77,40 +80,75 @@ std::vector<std::vector<int>> candidates_of(const PaperTrace& trace, int k) {
   return candidates;
 }
 
+/// Positions that are consistent with the views first, then more identified surfaces, then the
+/// better position.
+bool better(const PaperIdentification& a, const PaperIdentification& b) {
+  const bool consistent = a.position.support.consistent();
+  if (consistent != b.position.support.consistent()) return consistent;
+  if (a.matches.size() != b.matches.size()) return a.matches.size() > b.matches.size();
+  return a.position.better_than(b.position);
+}
+
+/// The best combination of a model's surfaces. A single surface is one too when its position is
+/// consistent with the views.
 std::optional<PaperIdentification> identify(const Identification& work, const PaperTrace& trace,
                                             int k) {
   const auto index = static_cast<std::size_t>(k);
-  const PaperSequence sequence =
-      best_sequence(work.scene, work.models[index].surfaces, candidates_of(trace, k));
-  const std::optional<PaperPosition> position =
-      position_model(work.scene, work.loops, work.library[index], work.models[index].surfaces,
-                     sequence.matches);
-  if (!position) return std::nullopt;
-  return PaperIdentification{k,    sequence.matches, position->world_from_model,
-                             position->error_mm, false, sequence.truncated};
+  const std::vector<SurfaceAttributes>& surfaces = work.models[index].surfaces;
+  const auto candidates = candidates_of(trace, k);
+  SequenceSearch search = closed_sequences(work.scene.surfaces, surfaces, candidates);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (const int c : candidates[i]) search.sequences.push_back({{static_cast<int>(i), c}});
+  }
+  std::optional<PaperIdentification> best;
+  for (const PaperSequence& sequence : search.sequences) {
+    const bool shorter = best && sequence.size() < best->matches.size();
+    if (shorter && best->position.support.consistent()) break;
+    const auto position = position_model(work.scene, work.library[index], surfaces, sequence);
+    if (!position) continue;
+    PaperIdentification found{k, sequence, *position, false, search.truncated};
+    if (!best || better(found, *best)) best = std::move(found);
+  }
+  return best;
 }
 
-/// By decreasing number of identified surfaces, then by increasing positioning error; models
+/// A single surface has no pair that verifies it. Instead the reconstructed model must be
+/// consistent with those corners that the models before it left over, and explain at least as
+/// many elsewhere as the surface itself has.
+bool single_is_sure(const Identification& work, const MeasuredCorners& left,
+                    const PaperIdentification& id) {
+  const CornerSupport support =
+      corner_support(left, work.library[static_cast<std::size_t>(id.model)],
+                     id.position.world_from_model, work.scene.tolerance_mm());
+  const auto surface = static_cast<std::size_t>(id.matches[0].scene_surface);
+  return support.consistent() && support.explained >= 2 * work.scene.surfaces[surface].edges();
+}
+
+/// By decreasing number of identified surfaces, of equal ones the better position first; models
 /// that need a surface of an accepted model are not accepted.
-void order_and_accept(std::vector<PaperIdentification>* list) {
+void order_and_accept(const Identification& work, std::vector<PaperIdentification>* list) {
   std::stable_sort(list->begin(), list->end(), [](const auto& a, const auto& b) {
     return a.matches.size() != b.matches.size() ? a.matches.size() > b.matches.size()
-                                                : a.error_mm < b.error_mm;
+                                                : a.position.better_than(b.position);
   });
   std::set<int> taken;
+  MeasuredCorners left = work.scene.corners;
   for (PaperIdentification& id : *list) {
     id.accepted = std::none_of(id.matches.begin(), id.matches.end(), [&](const PaperMatch& m) {
       return taken.count(m.scene_surface) > 0;
     });
+    if (id.matches.size() == 1) id.accepted = id.accepted && single_is_sure(work, left, id);
     if (!id.accepted) continue;
     for (const PaperMatch& m : id.matches) taken.insert(m.scene_surface);
+    left = unexplained_corners(left, work.library[static_cast<std::size_t>(id.model)],
+                               id.position.world_from_model, work.scene.tolerance_mm());
   }
 }
 
 /// Surer with more surfaces, then with a smaller positioning error.
 double score_of(const PaperIdentification& id, double diameter_mm) {
   const auto surfaces = static_cast<double>(id.matches.size());
-  return surfaces / (surfaces + 1 + std::min(1.0, id.error_mm / diameter_mm));
+  return surfaces / (surfaces + 1 + std::min(1.0, id.position.error_mm / diameter_mm));
 }
 
 bool share_surface(const PaperIdentification& a, const PaperIdentification& b) {
@@ -138,7 +176,7 @@ class Report {
       if (id.accepted) {
         result->objects.push_back(object(id));
       } else {
-        result->rejections.push_back({model(id).id, id.world_from_model,
+        result->rejections.push_back({model(id).id, id.position.world_from_model,
                                       score_of(id, model(id).diameter), reason(id)});
       }
     }
@@ -155,9 +193,9 @@ class Report {
   RecognizedObject object(const PaperIdentification& id) const {
     RecognizedObject out;
     out.model_id = model(id).id;
-    out.world_from_model = id.world_from_model;
+    out.world_from_model = id.position.world_from_model;
     out.score = score_of(id, model(id).diameter);
-    out.reprojection_rms_px = id.error_mm / planar_[0].mm_per_px;
+    out.reprojection_rms_px = id.position.error_mm / planar_[0].mm_per_px;
     for (const PaperMatch& m : id.matches) {
       const CrossedSurface& s = trace_.surfaces[static_cast<std::size_t>(m.scene_surface)];
       out.surfaces.push_back({view_of(s), m.scene_surface, m.model_surface});
@@ -212,9 +250,9 @@ RecognitionResult recognize_paper(const std::vector<View>& views,
   make_surfaces(planar, regions, library, trace);
   result.stages.push_back({"surfaces", count_of(trace->surfaces), watch.lap()});
 
-  const Identification work = prepare(library, *trace);
+  const Identification work = prepare(library, planar, regions, *trace);
   int hypotheses = 0;
-  for (const SurfaceAttributes& surface : work.scene) {
+  for (const SurfaceAttributes& surface : work.scene.surfaces) {
     trace->hypotheses.push_back(paper_hypotheses(surface, work.models));
     for (const PaperHypothesis& h : trace->hypotheses.back()) hypotheses += count_of(h.surfaces);
   }
@@ -224,7 +262,7 @@ RecognitionResult recognize_paper(const std::vector<View>& views,
     auto identification = identify(work, *trace, static_cast<int>(k));
     if (identification) trace->priority_list.push_back(std::move(*identification));
   }
-  order_and_accept(&trace->priority_list);
+  order_and_accept(work, &trace->priority_list);
   Report(library, planar, *trace).write(&result);
   result.stages.push_back({"poses", count_of(result.objects), watch.lap()});
   trace->seconds = result.stages[2].seconds + result.stages[3].seconds;

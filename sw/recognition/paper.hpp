@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recognition/paper_hypotheses.hpp"
+#include "recognition/paper_positioning.hpp"
 #include "recognition/paper_verification.hpp"
 #include "recognition/recognize.hpp"
 #include "recognition/surfaces.hpp"
@@ -15,18 +16,18 @@ namespace trihedron {
 /// What became of one model of the priority list.
 struct PaperIdentification {
   int model = 0;                    ///< index into the library
-  std::vector<PaperMatch> matches;  ///< identified surfaces
-  Transform world_from_model;
-  double error_mm = 0;       ///< positioning error d of the paper's Table 6
-  bool accepted = false;     ///< false: one of its surfaces belongs to a model before it
-  bool truncated = false;    ///< the path search ended early
+  PaperSequence matches;            ///< identified surfaces
+  PaperPosition position;
+  bool accepted = false;   ///< false: one of its surfaces belongs to a model before it
+  bool truncated = false;  ///< the path search ended early
 };
 
 /// The paper's Tables 1-6 of one scene.
 struct PaperTrace {
   double error_mm = 0;                  ///< the Error of eqs. 5-8
   std::array<int, 3> regions{};         ///< closed regions of top, side, front
-  int incomplete = 0;                   ///< regions that could not be described in 3D
+  int incomplete = 0;                   ///< regions with a corner without a partner
+  int not_planar = 0;                   ///< regions whose corners found false partners
   int duplicates = 0;                   ///< described ones that a higher view holds too
   std::vector<CrossedSurface> surfaces;  ///< Table 1
   std::vector<std::vector<PaperHypothesis>> hypotheses;  ///< Table 2, per surface

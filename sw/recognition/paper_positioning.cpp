@@ -2,6 +2,7 @@
 #include "recognition/paper_positioning.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,6 +14,9 @@ using Eigen::Vector3d;
 
 /// Relative to the model's edge (eq. 19).
 constexpr double kEdgeTolerance = 0.20;
+/// The paper's claim for its positions: "an average error less than 10 % of the smallest
+/// dimension" (its section 5.1).
+constexpr double kPositionTolerance = 0.10;
 constexpr double kPi = 3.14159265358979323846;
 
 /// Turns unit vector `from` onto unit vector `to` about their common perpendicular (eq. 23).
@@ -31,13 +35,12 @@ struct VertexMatch {
   std::vector<Vector3d> scene, model;
 };
 
-std::vector<VertexMatch> vertex_matches(const std::vector<std::vector<SpacePolygon>>& loops,
-                                        const Model& model,
-                                        const std::vector<PaperMatch>& matches) {
+std::vector<VertexMatch> vertex_matches(const PaperScene& scene, const Model& model,
+                                        const PaperSequence& matches) {
   std::vector<VertexMatch> out;
   for (const PaperMatch& match : matches) {
     VertexMatch& v = out.emplace_back();
-    for (const SpacePolygon& loop : loops[static_cast<std::size_t>(match.scene_surface)]) {
+    for (const SpacePolygon& loop : scene.loops[static_cast<std::size_t>(match.scene_surface)]) {
       v.scene.insert(v.scene.end(), loop.begin(), loop.end());
     }
     for (const SpacePolygon& loop : surface_loops(model, match.model_surface)) {
@@ -78,15 +81,14 @@ Transform position_surface(const SurfaceAttributes& scene, int scene_edge,
   return world_from_model;
 }
 
-std::optional<PaperPosition> position_model(const std::vector<SurfaceAttributes>& scene,
-                                            const std::vector<std::vector<SpacePolygon>>& loops,
-                                            const Model& model,
+std::optional<PaperPosition> position_model(const PaperScene& scene, const Model& model,
                                             const std::vector<SurfaceAttributes>& model_surfaces,
-                                            const std::vector<PaperMatch>& matches) {
-  const std::vector<VertexMatch> vertices = vertex_matches(loops, model, matches);
+                                            const PaperSequence& matches) {
+  const std::vector<VertexMatch> vertices = vertex_matches(scene, model, matches);
+  const double max_error = kPositionTolerance * smallest_dimension_mm(model);
   std::optional<PaperPosition> best;
   for (const PaperMatch& match : matches) {
-    const SurfaceAttributes& s = scene[static_cast<std::size_t>(match.scene_surface)];
+    const SurfaceAttributes& s = scene.surfaces[static_cast<std::size_t>(match.scene_surface)];
     const SurfaceAttributes& m = model_surfaces[static_cast<std::size_t>(match.model_surface)];
     for (int e = 0; e < s.edges(); ++e) {
       for (int f = 0; f < m.edges(); ++f) {
@@ -95,13 +97,30 @@ std::optional<PaperPosition> position_model(const std::vector<SurfaceAttributes>
             kEdgeTolerance * length) {
           continue;
         }
-        const Transform pose = position_surface(s, e, m, f);
-        const double error = mean_distance(vertices, pose);
-        if (!best || error < best->error_mm) best = PaperPosition{pose, error, match};
+        PaperPosition position{position_surface(s, e, m, f), 0, {}};
+        position.error_mm = mean_distance(vertices, position.world_from_model);
+        if (position.error_mm > max_error) continue;
+        position.support = corner_support(scene.corners, model, position.world_from_model,
+                                          scene.tolerance_mm());
+        if (!best || position.better_than(*best)) best = position;
       }
     }
   }
   return best;
+}
+
+double smallest_dimension_mm(const Model& model) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Surface& surface : model.surfaces) {
+    double low = 0, high = 0;
+    for (const Vector3d& v : model.mesh.vertices) {
+      const double height = surface.normal.dot(v) - surface.offset;
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    smallest = std::min(smallest, high - low);
+  }
+  return smallest;
 }
 
 }  // namespace trihedron

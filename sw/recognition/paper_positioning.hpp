@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "recognition/paper_support.hpp"
 #include "recognition/paper_verification.hpp"
 #include "recognition/surface_attributes.hpp"
+#include "recognition/surfaces.hpp"
 #include "recognition/transform.hpp"
 
 namespace trihedron {
@@ -17,20 +19,41 @@ namespace trihedron {
 Transform position_surface(const SurfaceAttributes& scene, int scene_edge,
                            const SurfaceAttributes& model, int model_edge);
 
+/// A model put into the scene by some of its surfaces.
 struct PaperPosition {
   Transform world_from_model;
-  double error_mm = 0;    ///< mean distance between scene vertices and the model's, the paper's d
-  PaperMatch reference;   ///< the surface that fixed the position
+  double error_mm = 0;  ///< mean distance between scene vertices and the model's, the paper's d
+  CornerSupport support;
+
+  /// More corners explained, then the smaller error.
+  bool better_than(const PaperPosition& o) const {
+    const int here = support.explained, there = o.support.explained;
+    return here != there ? here > there : error_mm < o.error_mm;
+  }
 };
 
-/// Positions a model by each identified surface and each pair of its edges that eq. 19 matches,
-/// and returns the position with the smallest error over all identified surfaces. A scene
-/// vertex's partner is the nearest vertex of its model surface. Empty without matches or edges
-/// that match.
-std::optional<PaperPosition> position_model(const std::vector<SurfaceAttributes>& scene,
-                                            const std::vector<std::vector<SpacePolygon>>& loops,
-                                            const Model& model,
+/// A scene as positioning sees it.
+struct PaperScene {
+  std::vector<SurfaceAttributes> surfaces;
+  std::vector<std::vector<SpacePolygon>> loops;  ///< of the surfaces, world, mm
+  MeasuredCorners corners;                       ///< of all regions
+  double error_mm = 0;                           ///< the Error of data crossing
+
+  /// How far a model vertex may be from a corner that it explains: one Error for the corner, the
+  /// rest for the position, which one centroid and one edge fix.
+  double tolerance_mm() const { return 3 * error_mm; }
+};
+
+/// Positions a model by each of the matched surfaces and each pair of their edges that eq. 19
+/// matches; returns the best of those positions whose error over all matched surfaces is at most
+/// 10 % of the model's smallest dimension. A scene vertex's partner is the nearest vertex of its
+/// model surface. Empty when there is no such position.
+std::optional<PaperPosition> position_model(const PaperScene& scene, const Model& model,
                                             const std::vector<SurfaceAttributes>& model_surfaces,
-                                            const std::vector<PaperMatch>& matches);
+                                            const PaperSequence& matches);
+
+/// The smallest distance of two parallel planes, one along a surface, that hold the model between
+/// them, mm.
+double smallest_dimension_mm(const Model& model);
 
 }  // namespace trihedron

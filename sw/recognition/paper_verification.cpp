@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace trihedron {
 namespace {
@@ -12,18 +14,14 @@ namespace {
 constexpr double kCosineTolerance = 0.28;
 /// Of the distances between centroids, relative to the model's (eq. 22).
 constexpr double kDistanceTolerance = 0.10;
-/// Longest closed paths grow exponentially with the surfaces in the scene; ten times what the
-/// search visits in scenes of five objects.
-constexpr int kMaxVisits = 200000;
+/// The states grow exponentially with the surfaces that agree; scenes of five objects need a
+/// few thousand.
+constexpr std::size_t kMaxStates = 100000;
 
 /// The correspondences of one model and which of them may follow each other.
 struct PairGraph {
-  std::vector<PaperMatch> nodes;  ///< ascending in scene surface
-  struct Arc {
-    int node;
-    double error;
-  };
-  std::vector<std::vector<Arc>> arcs;  ///< per node, smallest error first
+  std::vector<PaperMatch> nodes;       ///< ascending in scene surface
+  std::vector<std::vector<int>> arcs;  ///< per node
 };
 
 PairGraph make_graph(const std::vector<SurfaceAttributes>& scene,
@@ -42,93 +40,66 @@ PairGraph make_graph(const std::vector<SurfaceAttributes>& scene,
                                       scene[static_cast<std::size_t>(q.scene_surface)],
                                       model[static_cast<std::size_t>(p.model_surface)],
                                       model[static_cast<std::size_t>(q.model_surface)]);
-      if (error <= 1) graph.arcs[a].push_back({static_cast<int>(b), error});
+      if (error <= 1) graph.arcs[a].push_back(static_cast<int>(b));
     }
-    std::stable_sort(graph.arcs[a].begin(), graph.arcs[a].end(),
-                     [](const auto& x, const auto& y) { return x.error < y.error; });
   }
   return graph;
 }
 
-/// Depth-first search of the tree of all paths, cut off where a path cannot beat the best one.
+/// Walks the tree of all paths. Paths over the same surfaces that end on the same one continue
+/// alike, so that each such state is walked once.
 class PathSearch {
  public:
-  PathSearch(const PairGraph& graph, std::size_t scene_surfaces, std::size_t model_surfaces)
-      : graph_(graph), scene_used_(scene_surfaces), model_used_(model_surfaces) {}
+  explicit PathSearch(const PairGraph& graph) : graph_(graph) {}
 
-  PaperSequence run() {
-    best_.error = std::numeric_limits<double>::infinity();
-    for (std::size_t start = 0; start < graph_.nodes.size(); ++start) {
-      start_ = static_cast<int>(start);
-      extend(start_, 0);
+  SequenceSearch run() {
+    for (int start = 0; start < static_cast<int>(graph_.nodes.size()); ++start) {
+      path_ = {start};
+      walked_.clear();
+      extend();
     }
-    best_.truncated = visits_ > kMaxVisits;
-    if (best_.matches.empty()) best_.error = 0;
-    return best_;
+    SequenceSearch result;
+    result.truncated = states_ >= kMaxStates;
+    for (const std::vector<int>& nodes : closed_) {
+      PaperSequence& sequence = result.sequences.emplace_back();
+      for (const int n : nodes) sequence.push_back(graph_.nodes[static_cast<std::size_t>(n)]);
+    }
+    std::stable_sort(result.sequences.begin(), result.sequences.end(),
+                     [](const auto& a, const auto& b) { return a.size() > b.size(); });
+    return result;
   }
 
  private:
-  /// Scene surfaces that the path could still take: those after its first one.
-  std::size_t reachable() const {
-    std::size_t count = 0;
-    int last = node(start_).scene_surface;
-    for (std::size_t n = static_cast<std::size_t>(start_); n < graph_.nodes.size(); ++n) {
-      const int s = graph_.nodes[n].scene_surface;
-      count += s != last && !scene_used_[static_cast<std::size_t>(s)];
-      last = s;
-    }
-    return count;
-  }
-
-  bool hopeless(double error) const {
-    const std::size_t longest = path_.size() + reachable();
-    return longest < best_.matches.size() ||
-           (longest == best_.matches.size() && error >= best_.error);
-  }
-
-  void extend(int n, double error) {
-    if (++visits_ > kMaxVisits) return;
-    const PaperMatch match = node(n);
-    path_.push_back(match);
-    scene_used_[static_cast<std::size_t>(match.scene_surface)] = true;
-    model_used_[static_cast<std::size_t>(match.model_surface)] = true;
-    if (!hopeless(error)) {
-      for (const PairGraph::Arc& arc : graph_.arcs[static_cast<std::size_t>(n)]) {
-        follow(arc, error + arc.error);
-      }
-    }
-    path_.pop_back();
-    scene_used_[static_cast<std::size_t>(match.scene_surface)] = false;
-    model_used_[static_cast<std::size_t>(match.model_surface)] = false;
-  }
-
-  void follow(const PairGraph::Arc& arc, double error) {
-    if (arc.node == start_) return close(error);
-    const PaperMatch next = node(arc.node);
-    // every closed path is found once, from its lowest scene surface
-    if (next.scene_surface <= node(start_).scene_surface) return;
-    if (scene_used_[static_cast<std::size_t>(next.scene_surface)] ||
-        model_used_[static_cast<std::size_t>(next.model_surface)]) {
-      return;
-    }
-    extend(arc.node, error);
-  }
-
-  void close(double error) {
-    const std::size_t length = path_.size(), best = best_.matches.size();
-    if (length < best || (length == best && error >= best_.error)) return;
-    best_.matches = path_;
-    best_.error = error;
-  }
-
   const PaperMatch& node(int n) const { return graph_.nodes[static_cast<std::size_t>(n)]; }
 
+  void extend() {
+    std::vector<int> set = path_;
+    std::sort(set.begin(), set.end());
+    if (states_ >= kMaxStates || !walked_.insert({set, path_.back()}).second) return;
+    ++states_;
+    for (const int next : graph_.arcs[static_cast<std::size_t>(path_.back())]) {
+      if (next == path_.front()) closed_.insert(set);
+      if (!may_follow(next)) continue;
+      path_.push_back(next);
+      extend();
+      path_.pop_back();
+    }
+  }
+
+  /// Every closed path is walked from its lowest scene surface; no surface occurs twice.
+  bool may_follow(int next) const {
+    const PaperMatch m = node(next);
+    if (m.scene_surface <= node(path_.front()).scene_surface) return false;
+    return std::none_of(path_.begin(), path_.end(), [&](int n) {
+      return node(n).scene_surface == m.scene_surface || node(n).model_surface == m.model_surface;
+    });
+  }
+
   const PairGraph& graph_;
-  std::vector<bool> scene_used_, model_used_;
-  std::vector<PaperMatch> path_;
-  PaperSequence best_;
-  int start_ = 0;
-  int visits_ = 0;
+  std::vector<int> path_;
+  std::set<std::pair<std::vector<int>, int>> walked_;
+  std::set<std::vector<int>> closed_;
+  std::size_t states_ = 0;
 };
 
 }  // namespace
@@ -143,11 +114,10 @@ double pair_error(const SurfaceAttributes& a, const SurfaceAttributes& b,
   return std::max(cosine / kCosineTolerance, relative / kDistanceTolerance);
 }
 
-PaperSequence best_sequence(const std::vector<SurfaceAttributes>& scene,
-                            const std::vector<SurfaceAttributes>& model,
-                            const std::vector<std::vector<int>>& candidates) {
-  const PairGraph graph = make_graph(scene, model, candidates);
-  return PathSearch(graph, scene.size(), model.size()).run();
+SequenceSearch closed_sequences(const std::vector<SurfaceAttributes>& scene,
+                                const std::vector<SurfaceAttributes>& model,
+                                const std::vector<std::vector<int>>& candidates) {
+  return PathSearch(make_graph(scene, model, candidates)).run();
 }
 
 }  // namespace trihedron

@@ -13,13 +13,9 @@ struct PaperMatch {
   int model_surface = 0;
 };
 
-/// A sequence of surface pairs that closes on its first surface. Its surfaces are the identified
-/// ones.
-struct PaperSequence {
-  std::vector<PaperMatch> matches;  ///< in the order of the path, lowest scene surface first
-  double error = 0;                 ///< of its pairs, summed, each in units of the tolerances
-  bool truncated = false;           ///< the search ended early; a better path may exist
-};
+/// The surfaces of a sequence of pairs that closes on its first surface, ascending in scene
+/// surface: the identified ones, if the sequence is chosen.
+using PaperSequence = std::vector<PaperMatch>;
 
 /// How far the pair (a, b) of scene surfaces differs from the pair (v, w) of model surfaces in the
 /// angle of the normals (eq. 21) and the distance of the centroids (eq. 22): the larger of the two
@@ -28,12 +24,16 @@ struct PaperSequence {
 double pair_error(const SurfaceAttributes& a, const SurfaceAttributes& b,
                   const SurfaceAttributes& v, const SurfaceAttributes& w);
 
-/// The best path of the search tree of one model: the longest closed sequence in which every pair
-/// of neighbours agrees and no surface occurs twice; of several, that with the smallest error.
-/// `candidates[i]` are the model surfaces that scene surface i may be. Empty when not even two
-/// surfaces agree.
-PaperSequence best_sequence(const std::vector<SurfaceAttributes>& scene,
-                            const std::vector<SurfaceAttributes>& model,
-                            const std::vector<std::vector<int>>& candidates);
+struct SequenceSearch {
+  std::vector<PaperSequence> sequences;  ///< longest first, each set of surfaces once
+  bool truncated = false;                ///< the search ended early; more may exist
+};
+
+/// The search tree of one model: all closed sequences in which every pair of neighbours agrees
+/// (pair_error <= 1) and no surface occurs twice. `candidates[i]` are the model surfaces that
+/// scene surface i may be. Empty when not even two surfaces agree.
+SequenceSearch closed_sequences(const std::vector<SurfaceAttributes>& scene,
+                                const std::vector<SurfaceAttributes>& model,
+                                const std::vector<std::vector<int>>& candidates);
 
 }  // namespace trihedron

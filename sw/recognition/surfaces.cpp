@@ -17,11 +17,13 @@ constexpr double kDuplicateTolerance = 0.20;
 /// Largest error of a fitted corner, px: a contour is one pixel wide.
 constexpr double kCornerErrorPx = 0.5;
 
-/// What a view measured of all its corners, outer loops and holes: two of three coordinates.
-using MeasuredLoops = std::vector<SpacePolygon>;
+/// A true corner is within Error of its place in each coordinate, so within sqrt(3) Error of its
+/// plane; the plane itself is known better than that.
+constexpr double kPlanarityErrors = 2;
 
-MeasuredLoops measure(const PlanarView& view, const Region& region) {
-  MeasuredLoops loops(1);
+/// What a view measures of a region's loops: two of three coordinates.
+std::vector<SpacePolygon> measure(const PlanarView& view, const Region& region) {
+  std::vector<SpacePolygon> loops(1);
   for (const Eigen::Vector2d& px : region.outer) loops[0].push_back(view.measure(px));
   for (const ImagePolygon& hole : region.holes) {
     SpacePolygon& loop = loops.emplace_back();
@@ -30,88 +32,76 @@ MeasuredLoops measure(const PlanarView& view, const Region& region) {
   return loops;
 }
 
-/// The extreme value, in the direction of `sign`, of coordinate `wanted` among the points that
-/// agree with `value` in coordinate `shared`.
-std::optional<double> extreme_partner(const SpacePolygon& points, int shared, double value,
-                                      int wanted, double sign, double error_mm) {
-  std::optional<double> best;
+/// Coordinate `wanted` of the points that agree with `value` in coordinate `shared`.
+std::vector<double> partners(const SpacePolygon& points, int shared, double value, int wanted,
+                             double error_mm) {
+  std::vector<double> found;
   for (const Vector3d& p : points) {
-    if (std::abs(p[shared] - value) > error_mm) continue;
-    if (!best || sign * p[wanted] > sign * *best) best = p[wanted];
+    if (std::abs(p[shared] - value) <= error_mm) found.push_back(p[wanted]);
   }
-  return best;
+  return found;
+}
+
+std::optional<double> largest(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  return *std::max_element(values.begin(), values.end());
+}
+
+/// Those of `a` that some of `b` agrees with.
+std::vector<double> agreed(const std::vector<double>& a, const std::vector<double>& b,
+                           double error_mm) {
+  std::vector<double> both;
+  for (const double x : a) {
+    if (std::any_of(b.begin(), b.end(), [&](double y) { return std::abs(x - y) <= error_mm; })) {
+      both.push_back(x);
+    }
+  }
+  return both;
+}
+
+/// Largest distance of a corner from the plane through the centroid.
+double out_of_plane(const std::vector<SpacePolygon>& loops, const SurfaceAttributes& attributes) {
+  double distance = 0;
+  for (const SpacePolygon& loop : loops) {
+    for (const Vector3d& p : loop) {
+      distance = std::max(distance, std::abs((p - attributes.centroid).dot(attributes.normal)));
+    }
+  }
+  return distance;
 }
 
 class Crossing {
  public:
-  Crossing(const std::array<PlanarView, 3>& views,
-           const std::array<std::vector<Region>, 3>& regions, double error_mm)
-      : views_(views), error_mm_(error_mm) {
-    for (std::size_t v = 0; v < 3; ++v) {
-      for (const Region& region : regions[v]) {
-        measured_[v].push_back(measure(views[v], region));
-        for (const SpacePolygon& loop : measured_[v].back()) {
-          corners_[v].insert(corners_[v].end(), loop.begin(), loop.end());
-        }
-      }
-    }
-  }
-
-  CrossingResult run() const {
-    CrossingResult result;
-    for (std::size_t v = 0; v < 3; ++v) {
-      for (std::size_t r = 0; r < measured_[v].size(); ++r) {
-        std::optional<CrossedSurface> surface = cross(views_[v].role, measured_[v][r]);
-        if (!surface) {
-          ++result.incomplete;
-          continue;
-        }
-        surface->region = static_cast<int>(r);
-        result.surfaces.push_back(std::move(*surface));
-      }
-    }
-    return result;
-  }
-
- private:
-  std::optional<CrossedSurface> cross(ViewRole role, const MeasuredLoops& measured) const {
-    CrossedSurface surface;
-    surface.role = role;
-    surface.loops = measured;
-    for (SpacePolygon& loop : surface.loops) {
-      for (Vector3d& corner : loop) {
-        if (!complete(role, &corner)) return std::nullopt;
-      }
-    }
-    surface.attributes = surface_attributes(surface.loops);
-    return surface;
-  }
+  Crossing(const std::array<PlanarView, 3>& views, const MeasuredCorners& corners, double error_mm)
+      : views_(views), corners_(corners), error_mm_(error_mm) {}
 
   /// Fills in the coordinate that the view cannot measure.
   bool complete(ViewRole role, Vector3d* corner) const {
     if (role == ViewRole::kTop) return complete_top(corner);
     const bool side = role == ViewRole::kSide;
     const int shared = side ? kX : kY, wanted = side ? kY : kX;
-    const double nearer = views_[static_cast<std::size_t>(role)].towards[wanted];
-    const auto value =
-        extreme_partner(corners_[0], shared, (*corner)[shared], wanted, nearer, error_mm_);
-    if (value) (*corner)[wanted] = *value;
-    return value.has_value();
-  }
-
-  bool complete_top(Vector3d* corner) const {
-    const auto from_side = extreme_partner(corners_[1], kX, corner->x(), kZ, 1, error_mm_);
-    const auto from_front = extreme_partner(corners_[2], kY, corner->y(), kZ, 1, error_mm_);
-    if (!from_side && !from_front) return false;
-    const double lowest = std::numeric_limits<double>::lowest();
-    corner->z() = std::max(from_side.value_or(lowest), from_front.value_or(lowest));
+    std::vector<double> found =
+        partners(corners_[0], shared, (*corner)[shared], wanted, error_mm_);
+    if (found.empty()) return false;
+    const auto [low, high] = std::minmax_element(found.begin(), found.end());
+    const bool camera_is_high = views_[static_cast<std::size_t>(role)].towards[wanted] > 0;
+    (*corner)[wanted] = camera_is_high ? *high : *low;
     return true;
   }
 
+ private:
+  bool complete_top(Vector3d* corner) const {
+    const std::vector<double> side = partners(corners_[1], kX, corner->x(), kZ, error_mm_);
+    const std::vector<double> front = partners(corners_[2], kY, corner->y(), kZ, error_mm_);
+    std::optional<double> z = largest(agreed(side, front, error_mm_));
+    if (!z) z = std::max(largest(side), largest(front));
+    if (z) corner->z() = *z;
+    return z.has_value();
+  }
+
   const std::array<PlanarView, 3>& views_;
+  const MeasuredCorners& corners_;
   double error_mm_;
-  std::array<std::vector<MeasuredLoops>, 3> measured_;
-  std::array<SpacePolygon, 3> corners_;
 };
 
 bool is_duplicate(const SurfaceAttributes& k, const SurfaceAttributes& t, const Vector3d& corner) {
@@ -147,9 +137,42 @@ double segment_distance(const Vector3d& a0, const Vector3d& a1, const Vector3d& 
 
 }  // namespace
 
+MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
+                                const std::array<std::vector<Region>, 3>& regions) {
+  MeasuredCorners corners;
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (const Region& region : regions[v]) {
+      for (const SpacePolygon& loop : measure(views[v], region)) {
+        corners[v].insert(corners[v].end(), loop.begin(), loop.end());
+      }
+    }
+  }
+  return corners;
+}
+
 CrossingResult cross_views(const std::array<PlanarView, 3>& views,
                            const std::array<std::vector<Region>, 3>& regions, double error_mm) {
-  return Crossing(views, regions, error_mm).run();
+  const MeasuredCorners corners = measure_corners(views, regions);
+  const Crossing crossing(views, corners, error_mm);
+  CrossingResult result;
+  for (std::size_t v = 0; v < 3; ++v) {
+    for (std::size_t r = 0; r < regions[v].size(); ++r) {
+      CrossedSurface surface{views[v].role, static_cast<int>(r), measure(views[v], regions[v][r]), {}};
+      bool complete = true;
+      for (SpacePolygon& loop : surface.loops) {
+        for (Vector3d& corner : loop) complete = complete && crossing.complete(surface.role, &corner);
+      }
+      surface.attributes = surface_attributes(surface.loops);
+      if (!complete) {
+        ++result.incomplete;
+      } else if (out_of_plane(surface.loops, surface.attributes) > kPlanarityErrors * error_mm) {
+        ++result.not_planar;
+      } else {
+        result.surfaces.push_back(std::move(surface));
+      }
+    }
+  }
+  return result;
 }
 
 std::vector<CrossedSurface> without_duplicates(const std::vector<CrossedSurface>& surfaces,

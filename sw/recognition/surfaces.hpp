@@ -21,14 +21,24 @@ struct CrossedSurface {
 };
 
 struct CrossingResult {
-  std::vector<CrossedSurface> surfaces;  ///< complete ones, top first, then side, front
-  int incomplete = 0;                    ///< regions with a corner that found no partner
+  std::vector<CrossedSurface> surfaces;  ///< described in 3D, top first, then side, front
+  int incomplete = 0;  ///< regions with a corner that found no partner
+  int not_planar = 0;  ///< regions whose corners found false partners
 };
+
+/// What the views measured of all corners of their regions, by role, world mm. Only the two
+/// coordinates that the view measures are valid.
+using MeasuredCorners = std::array<SpacePolygon, 3>;
+
+MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
+                                const std::array<std::vector<Region>, 3>& regions);
 
 /// Data crossing (eqs. 5-8): gives each corner of each region its third coordinate from the
 /// corners of the other views that agree in the shared coordinate within `error_mm`. Top corners
-/// take the largest z of side and front; side and front corners take from the top view the point
-/// nearest to their own camera. `views` and `regions` in the order top, side, front.
+/// take the largest z that side and front agree on, or else the largest of either; side and front
+/// corners take from the top view the point nearest to their own camera. A region describes a
+/// surface when every corner finds a partner and all lie within 2 `error_mm` of a plane.
+/// `views` and `regions` in the order top, side, front.
 CrossingResult cross_views(const std::array<PlanarView, 3>& views,
                            const std::array<std::vector<Region>, 3>& regions, double error_mm);
 
