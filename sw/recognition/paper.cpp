@@ -169,8 +169,8 @@ class Report {
   void write(RecognitionResult* result) const {
     for (const CrossedSurface& s : trace_.surfaces) {
       result->surfaces.push_back({view_of(s), s.loops[0], s.attributes.normal,
-                                  s.attributes.centroid, s.attributes.area,
-                                  s.attributes.perimeter, true});
+                                  s.attributes.centroid, s.attributes.area, s.attributes.perimeter,
+                                  true});
     }
     for (const PaperIdentification& id : trace_.priority_list) {
       if (id.accepted) {
@@ -230,9 +230,8 @@ std::string paper_name(const CrossedSurface& surface) {
   return kLetters[static_cast<std::size_t>(surface.role)] + std::to_string(surface.region + 1);
 }
 
-RecognitionResult recognize_paper(const std::vector<View>& views,
-                                  const std::vector<Model>& library, const RecognitionOptions&,
-                                  PaperTrace* trace) {
+RecognitionResult recognize_paper(const std::vector<View>& views, const std::vector<Model>& library,
+                                  const RecognitionOptions&, PaperTrace* trace) {
   PaperTrace local;
   if (!trace) trace = &local;
   *trace = {};

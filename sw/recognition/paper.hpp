@@ -15,8 +15,8 @@ namespace trihedron {
 
 /// What became of one model of the priority list.
 struct PaperIdentification {
-  int model = 0;                    ///< index into the library
-  PaperSequence matches;            ///< identified surfaces
+  int model = 0;          ///< index into the library
+  PaperSequence matches;  ///< identified surfaces
   PaperPosition position;
   bool accepted = false;   ///< false: one of its surfaces belongs to a model before it
   bool truncated = false;  ///< the path search ended early
@@ -24,15 +24,15 @@ struct PaperIdentification {
 
 /// The paper's Tables 1-6 of one scene.
 struct PaperTrace {
-  double error_mm = 0;                  ///< the Error of eqs. 5-8
-  std::array<int, 3> regions{};         ///< closed regions of top, side, front
-  int incomplete = 0;                   ///< regions with a corner without a partner
-  int not_planar = 0;                   ///< regions whose corners found false partners
-  int duplicates = 0;                   ///< described ones that a higher view holds too
+  double error_mm = 0;                   ///< the Error of eqs. 5-8
+  std::array<int, 3> regions{};          ///< closed regions of top, side, front
+  int incomplete = 0;                    ///< regions with a corner without a partner
+  int not_planar = 0;                    ///< regions whose corners found false partners
+  int duplicates = 0;                    ///< described ones that a higher view holds too
   std::vector<CrossedSurface> surfaces;  ///< Table 1
   std::vector<std::vector<PaperHypothesis>> hypotheses;  ///< Table 2, per surface
   std::vector<PaperIdentification> priority_list;        ///< Tables 3-6, in order of priority
-  double seconds = 0;                   ///< identification and positioning (Table 6)
+  double seconds = 0;  ///< identification and positioning (Table 6)
 };
 
 /// The paper's name of a surface: s (top), l (side) or f (front) and the number of its region,
@@ -43,8 +43,7 @@ std::string paper_name(const CrossedSurface& surface);
 /// priority list, two-step positioning. Uses one top, one side and one front view; perspective
 /// views as scaled orthographic ones. Throws Error when one of the three is missing. `trace`, when
 /// given, receives the paper's tables.
-RecognitionResult recognize_paper(const std::vector<View>& views,
-                                  const std::vector<Model>& library,
+RecognitionResult recognize_paper(const std::vector<View>& views, const std::vector<Model>& library,
                                   const RecognitionOptions& options = {},
                                   PaperTrace* trace = nullptr);
 

@@ -100,8 +100,8 @@ std::optional<PaperPosition> position_model(const PaperScene& scene, const Model
         PaperPosition position{position_surface(s, e, m, f), 0, {}};
         position.error_mm = mean_distance(vertices, position.world_from_model);
         if (position.error_mm > max_error) continue;
-        position.support = corner_support(scene.corners, model, position.world_from_model,
-                                          scene.tolerance_mm());
+        position.support =
+            corner_support(scene.corners, model, position.world_from_model, scene.tolerance_mm());
         if (!best || position.better_than(*best)) best = position;
       }
     }

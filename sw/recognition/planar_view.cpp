@@ -55,9 +55,10 @@ std::array<PlanarView, 3> planar_views(const std::vector<Camera>& cameras) {
   }
   for (std::size_t slot = 0; slot < 3; ++slot) {
     if (found[slot] == 1) continue;
-    throw Error("cameras: method paper needs one top, one side and one front view (looking along "
-                "z, y and x), got " + std::to_string(found[slot]) + " " + kRoleNames[slot] +
-                " views");
+    throw Error(
+        "cameras: method paper needs one top, one side and one front view (looking along "
+        "z, y and x), got " +
+        std::to_string(found[slot]) + " " + kRoleNames[slot] + " views");
   }
   const Vector3d centre = centre_of_table(views[0].camera);
   for (PlanarView& view : views) {
@@ -71,8 +72,8 @@ std::array<PlanarView, 3> planar_views(const std::vector<Camera>& cameras) {
 Vector3d table_corner(const PlanarView& top) {
   const double right = top.camera.width_px - 1, bottom = top.camera.height_px - 1;
   Vector3d corner = top.table_centre;
-  for (const Vector2d& px : {Vector2d(0, 0), Vector2d(right, 0), Vector2d(0, bottom),
-                             Vector2d(right, bottom)}) {
+  for (const Vector2d& px :
+       {Vector2d(0, 0), Vector2d(right, 0), Vector2d(0, bottom), Vector2d(right, bottom)}) {
     corner = corner.cwiseMin(top.measure(px));
   }
   corner.z() = 0;

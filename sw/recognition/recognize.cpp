@@ -2,6 +2,7 @@
 #include "recognition/recognize.hpp"
 
 #include "golden/error.hpp"
+#include "recognition/paper.hpp"
 #include "recognition/pose_search.hpp"
 #include "recognition/view_check.hpp"
 
@@ -23,7 +24,7 @@ RecognitionResult recognize(const std::vector<View>& views, const std::vector<Mo
                             const RecognitionOptions& options) {
   check_views(views);
   if (library.empty()) throw Error("the model library is empty: nothing can be recognised");
-  if (options.method == Method::kPaper) throw Error("method paper is not available yet");
+  if (options.method == Method::kPaper) return recognize_paper(views, library, options);
   return recognize_full(views, library);
 }
 

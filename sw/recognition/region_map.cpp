@@ -63,9 +63,8 @@ std::vector<Pixel> walk_back(const Bitmap& contour, Pixel end) {
     bool moved = false;
     for (const Pixel& d : kAround) {
       const Pixel q = {p.x + d.x, p.y + d.y};
-      const bool known = std::any_of(path.begin(), path.end(), [&](Pixel o) {
-        return o.x == q.x && o.y == q.y;
-      });
+      const bool known =
+          std::any_of(path.begin(), path.end(), [&](Pixel o) { return o.x == q.x && o.y == q.y; });
       if (known || !contour.get(q)) continue;
       path.push_back(q);
       moved = true;

@@ -13,9 +13,9 @@ struct RegionMap {
   static constexpr int kBackground = 0;  ///< connected to the image border
   static constexpr int kContour = -1;    ///< separates at least two regions
 
-  int width = 0, height = 0;     ///< px
-  int regions = 0;               ///< labels 1..regions, by first pixel in raster order
-  std::vector<int> labels;       ///< width * height, raster order
+  int width = 0, height = 0;  ///< px
+  int regions = 0;            ///< labels 1..regions, by first pixel in raster order
+  std::vector<int> labels;    ///< width * height, raster order
 
   int at(int x, int y) const {
     return labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

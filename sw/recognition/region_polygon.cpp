@@ -48,8 +48,8 @@ Line fit_line(const Points& chain, int first, int last) {
   Line line{mean, {std::cos(angle), std::sin(angle)}};
   for (int i = first + trim; i <= last - trim; ++i) {
     const Vector2d d = chain[i % n] - mean;
-    line.max_residual = std::max(
-        line.max_residual, std::abs(d.x() * line.direction.y() - d.y() * line.direction.x()));
+    line.max_residual = std::max(line.max_residual,
+                                 std::abs(d.x() * line.direction.y() - d.y() * line.direction.x()));
   }
   return line;
 }
@@ -116,9 +116,7 @@ class Sides {
   int length(int s) const { return end(s) - bend(s); }
   Line line(int s) const { return fit_line(chain_, bend(s), end(s)); }
   /// One line through side s and the next one.
-  Line joint_line(int s) const {
-    return fit_line(chain_, bend(s), end(s) + length(s + 1));
-  }
+  Line joint_line(int s) const { return fit_line(chain_, bend(s), end(s) + length(s + 1)); }
   void remove_bend(int s) { bends_.erase(bends_.begin() + wrap(s)); }
   void move_bend(int s, int index) {
     bends_[static_cast<std::size_t>(wrap(s))] = index % static_cast<int>(chain_.size());

@@ -14,10 +14,10 @@ using SpacePolygon = std::vector<Eigen::Vector3d>;
 /// What a planar surface is compared by. All of it is computed from the vertices, for models
 /// and scenes alike.
 struct SurfaceAttributes {
-  double area = 0;       ///< mm^2, holes taken out
-  double perimeter = 0;  ///< mm, holes included
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, to the side from which the outer
-                                                     ///< loop runs counter-clockwise
+  double area = 0;                                     ///< mm^2, holes taken out
+  double perimeter = 0;                                ///< mm, holes included
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, to the side from which the outer
+                                                       ///< loop runs counter-clockwise
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< of the area, mm
   std::vector<double> edge_lengths;                    ///< mm, all loops in order
   std::vector<Eigen::Vector3d> edge_middles;           ///< mm, same order

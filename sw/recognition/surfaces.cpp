@@ -80,8 +80,7 @@ class Crossing {
     if (role == ViewRole::kTop) return complete_top(corner);
     const bool side = role == ViewRole::kSide;
     const int shared = side ? kX : kY, wanted = side ? kY : kX;
-    std::vector<double> found =
-        partners(corners_[0], shared, (*corner)[shared], wanted, error_mm_);
+    std::vector<double> found = partners(corners_[0], shared, (*corner)[shared], wanted, error_mm_);
     if (found.empty()) return false;
     const auto [low, high] = std::minmax_element(found.begin(), found.end());
     const bool camera_is_high = views_[static_cast<std::size_t>(role)].towards[wanted] > 0;
@@ -130,7 +129,8 @@ double segment_distance(const Vector3d& a0, const Vector3d& a1, const Vector3d& 
   if (det > 1e-12 * uu * vv) {
     const double s = (u.dot(w) * vv - uv * v.dot(w)) / det;
     const double t = (uv * u.dot(w) - uu * v.dot(w)) / det;
-    if (s >= 0 && s <= 1 && t >= 0 && t <= 1) distance = std::min(distance, (w + t * v - s * u).norm());
+    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
+      distance = std::min(distance, (w + t * v - s * u).norm());
   }
   return distance;
 }
@@ -157,10 +157,12 @@ CrossingResult cross_views(const std::array<PlanarView, 3>& views,
   CrossingResult result;
   for (std::size_t v = 0; v < 3; ++v) {
     for (std::size_t r = 0; r < regions[v].size(); ++r) {
-      CrossedSurface surface{views[v].role, static_cast<int>(r), measure(views[v], regions[v][r]), {}};
+      CrossedSurface surface{
+          views[v].role, static_cast<int>(r), measure(views[v], regions[v][r]), {}};
       bool complete = true;
       for (SpacePolygon& loop : surface.loops) {
-        for (Vector3d& corner : loop) complete = complete && crossing.complete(surface.role, &corner);
+        for (Vector3d& corner : loop)
+          complete = complete && crossing.complete(surface.role, &corner);
       }
       surface.attributes = surface_attributes(surface.loops);
       if (!complete) {

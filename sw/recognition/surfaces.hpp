@@ -22,8 +22,8 @@ struct CrossedSurface {
 
 struct CrossingResult {
   std::vector<CrossedSurface> surfaces;  ///< described in 3D, top first, then side, front
-  int incomplete = 0;  ///< regions with a corner that found no partner
-  int not_planar = 0;  ///< regions whose corners found false partners
+  int incomplete = 0;                    ///< regions with a corner that found no partner
+  int not_planar = 0;                    ///< regions whose corners found false partners
 };
 
 /// What the views measured of all corners of their regions, by role, world mm. Only the two
@@ -50,8 +50,7 @@ std::vector<CrossedSurface> without_duplicates(const std::vector<CrossedSurface>
 
 /// The paper's Error, mm. Corners of one point in two views differ by at most half a pixel each;
 /// but more than half the smallest distance of two edges would confuse corners.
-double crossing_error_mm(const std::array<PlanarView, 3>& views,
-                         const std::vector<Model>& library);
+double crossing_error_mm(const std::array<PlanarView, 3>& views, const std::vector<Model>& library);
 
 /// Smallest distance between two edges of the model that share no vertex, mm.
 double smallest_edge_gap_mm(const Model& model);
