@@ -8,14 +8,9 @@
 #include <vector>
 
 #include "recognition/camera.hpp"
+#include "recognition/evaluation.hpp"
 
 namespace trihedron {
-
-/// An object that is known to be in a scene.
-struct TrueObject {
-  int model_id = 0;
-  Transform world_from_model;
-};
 
 /// A scene folder in the BOP layout.
 struct Scene {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace trihedron::cli {
+
+/// What a command returns to the shell.
+enum ExitCode : int {
+  kDone = 0,
+  kNothingFound = 1,  ///< it ran, but found nothing or a check failed
+  kBadInput = 2,      ///< bad input or usage
+};
+
+// Each adds one command to the program. When the command line names it, its callback does the
+// work and stores the exit code; it throws Error on bad input.
+void add_recognize(CLI::App& program, int& exit_code);
+void add_evaluate(CLI::App& program, int& exit_code);
+void add_models(CLI::App& program, int& exit_code);
+
+}  // namespace trihedron::cli

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/evaluation_table.hpp"
+#include "cli/scene_outcome.hpp"
+#include "cli/workers.hpp"
+#include "golden/error.hpp"
+#include "io/file.hpp"
+
+namespace trihedron::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  RecognitionArguments recognition;
+  std::string dataset, csv, features;
+  int jobs = 1;
+  bool json = false;
+};
+
+/// Before the work: a place that cannot be written must not cost the results.
+void check_writable(const std::string& csv) {
+  if (csv.empty()) return;
+  const fs::path folder = fs::absolute(csv).parent_path();
+  require_folder(folder, "a folder for --csv");
+  if (fs::is_directory(csv)) throw Error(csv + ": --csv is a folder; expected a file name");
+}
+
+std::vector<SceneOutcome> process(const Arguments& arguments, const std::vector<fs::path>& scenes,
+                                  const std::vector<Model>& library) {
+  FrontEnd front_end;  // made in the worker: a simulation lives in one process
+  const auto work = [&](std::size_t i) {
+    if (!front_end) front_end = arguments.recognition.make_front_end();
+    return to_text(process_scene(scenes[i], front_end, library, arguments.recognition.options(),
+                                 arguments.features));
+  };
+  std::vector<SceneOutcome> outcomes;
+  for (const std::string& text : run_workers(scenes.size(), arguments.jobs, "scenes", work))
+    outcomes.push_back(from_text(text));
+  return outcomes;
+}
+
+int run(const Arguments& arguments) {
+  const std::vector<fs::path> scenes = find_scenes(arguments.dataset);
+  const std::vector<Model> library = arguments.recognition.library(arguments.dataset);
+  check_writable(arguments.csv);
+  if (!arguments.features.empty()) make_folder(arguments.features);
+  const std::vector<SceneOutcome> outcomes = process(arguments, scenes, library);
+
+  std::vector<ResultRow> rows;
+  for (const SceneOutcome& outcome : outcomes)
+    rows.insert(rows.end(), outcome.rows.begin(), outcome.rows.end());
+  if (!arguments.csv.empty()) write_whole(arguments.csv, format_results(rows));
+  fmt::print("{}", arguments.json ? evaluation_json(outcomes) : evaluation_table(outcomes));
+  return rows.empty() ? kNothingFound : kDone;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "evaluate", "Recognise every scene of a data set and hold the results against the truth");
+  command
+      ->add_option("DATASET", arguments->dataset,
+                   "Folder of scenes in the BOP layout, up to two levels deep")
+      ->required();
+  arguments->recognition.add_to(*command);
+  command->add_option("--csv", arguments->csv, "Write the results as BOP CSV")->type_name("FILE");
+  command->add_option("--jobs", arguments->jobs, "Worker processes; the output stays the same")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command
+      ->add_option("--features", arguments->features,
+                   "Write SCENE/000000.png (contour) and SCENE/000000.csv (vertices) per view")
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command->footer(
+      "Example:\n"
+      "  trihedron evaluate testvectors/scenes --models testvectors/models10 \\\n"
+      "    --csv results.csv --jobs 2\n"
+      "\n"
+      "Right: the right model, every vertex within 20 % of its diameter, symmetries taken.\n"
+      "AR: mean recall over 5, 10 .. 50 % of the diameter (BOP's MSSD).\n"
+      "Exit code 1: no object was found in any scene.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace trihedron::cli

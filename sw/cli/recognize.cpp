@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/recognition_options.hpp"
+#include "io/bop_results.hpp"
+#include "io/file.hpp"
+#include "io/pictures.hpp"
+#include "io/report_json.hpp"
+
+namespace trihedron::cli {
+namespace {
+
+struct Arguments {
+  RecognitionArguments recognition;
+  std::string scene, out;
+  bool json = false;
+};
+
+const Model& model_of(const std::vector<Model>& library, int id) {
+  for (const Model& model : library)
+    if (model.id == id) return model;
+  return library.front();
+}
+
+void print_object(const RecognizedObject& object, const std::vector<Model>& library) {
+  constexpr double kDegrees = 180 / 3.14159265358979323846;
+  const Eigen::AngleAxisd turn(object.world_from_model.R);
+  const Eigen::Vector3d r = turn.angle() * kDegrees * turn.axis();
+  const Eigen::Vector3d& t = object.world_from_model.t;
+  fmt::print("{:<18} {:6.3f}  {:8.2f} {:8.2f} {:8.2f}  {:7.1f} {:7.1f} {:7.1f}  {:5.2f}  {:3}",
+             model_of(library, object.model_id).name, object.score, t.x(), t.y(), t.z(), r.x(),
+             r.y(), r.z(), object.reprojection_rms_px, object.surfaces.size());
+  if (object.runner_up_model_id >= 0)
+    fmt::print("  {} {:.3f}", model_of(library, object.runner_up_model_id).name,
+               object.runner_up_score);
+  fmt::print("\n");
+}
+
+void print_result(const Scene& scene, const RecognitionResult& result,
+                  const std::vector<Model>& library) {
+  if (result.objects.empty()) {
+    fmt::print("scene {}: no object of the library found\n", scene.name);
+  } else {
+    fmt::print("{:<18} {:>6}  {:>26}  {:>23}  {:>5}  {:>3}  {}\n", "object", "score",
+               "position in world, mm", "rotation vector, deg", "px", "srf", "runner-up");
+    for (const RecognizedObject& object : result.objects) print_object(object, library);
+  }
+  constexpr std::size_t kShown = 5;
+  for (std::size_t i = 0; i < std::min(kShown, result.rejections.size()); ++i)
+    fmt::print("rejected: {} ({:.3f}): {}\n", model_of(library, result.rejections[i].model_id).name,
+               result.rejections[i].score, result.rejections[i].reason);
+  if (result.rejections.size() > kShown)
+    fmt::print("rejected: {} more, see --json\n", result.rejections.size() - kShown);
+  for (const StageStatistics& stage : result.stages)
+    fmt::print("{:<12} {:6}  {:8.2f} ms\n", stage.stage, stage.count, 1e3 * stage.seconds);
+}
+
+double total_seconds(const RecognitionResult& result) {
+  double seconds = 0;
+  for (const StageStatistics& stage : result.stages) seconds += stage.seconds;
+  return seconds;
+}
+
+int run(const Arguments& arguments) {
+  const Scene scene = read_scene(arguments.scene);
+  const std::vector<Model> library = arguments.recognition.library(arguments.scene);
+  if (!arguments.out.empty()) make_folder(arguments.out);
+  const std::vector<View> views = make_views(scene, arguments.recognition.make_front_end());
+  const RecognitionResult result = recognize(views, library, arguments.recognition.options());
+  const std::string report = report_json(scene, result, library).dump(1) + "\n";
+  if (!arguments.out.empty()) {
+    const std::filesystem::path out = arguments.out;
+    write_pictures(out, scene, views, result, library);
+    write_whole(out / "results.csv",
+                format_results(result_rows(scene, result, total_seconds(result))));
+    write_whole(out / "report.json", report);
+  }
+  if (arguments.json)
+    fmt::print("{}", report);
+  else
+    print_result(scene, result, library);
+  return result.objects.empty() ? kNothingFound : kDone;
+}
+
+}  // namespace
+
+void add_recognize(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("recognize", "Which objects are in a scene, and where");
+  command
+      ->add_option("SCENE", arguments->scene,
+                   "Folder with scene_camera.json and gray/000000.png ... (BOP layout)")
+      ->required();
+  arguments->recognition.add_to(*command);
+  command
+      ->add_option("--out", arguments->out,
+                   "Write pictures of every stage and view, results.csv and report.json here")
+      ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "Print the whole report as JSON");
+  command->footer(
+      "Example:\n"
+      "  trihedron recognize testvectors/scenes/studio-two/000034 \\\n"
+      "    --models testvectors/models10 --out out/000034\n"
+      "\n"
+      "Exit code 1: no object of the library was found.");
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace trihedron::cli
