@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Joins gradient vectors and contour flags of the same pixel into the contour stream.
+//
+//   slope_*       {gy, gx} of each pixel, raster order; some clocks ahead of
+//   flags_*       {first, contour, magnitude} of each real pixel, with sol, eol, sof of its row
+//   ready_o       room for everything that is still in the pipeline: a beat may enter it
+//   m_axis_*      beat: [0] contour, [1] first contour, [23:8] magnitude, [39:24] gx,
+//                 [55:40] gy; tuser first pixel of a frame, tlast last pixel of a line
+//
+// Latency 2 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
+// Reserve pixels after ready_o has fallen.
+module contour_packer #(
+    parameter int FractionBits = 3,
+    parameter int Depth        = 128,  // pixels that wait for the consumer, a power of two
+    parameter int Reserve      = 24
+) (
+    input  logic                       clk_i,
+    input  logic                       rst_ni,
+    input  logic                       slope_valid_i,
+    input  logic [2*FractionBits+15:0] slope_data_i,
+    input  logic                       flags_valid_i,
+    input  logic                       flags_sol_i,
+    input  logic                       flags_eol_i,
+    input  logic                       flags_sof_i,
+    input  logic [   FractionBits+7:0] flags_data_i,
+    output logic                       ready_o,
+    output logic                       m_axis_tvalid_o,
+    input  logic                       m_axis_tready_i,
+    output logic [               63:0] m_axis_tdata_o,
+    output logic                       m_axis_tuser_o,
+    output logic                       m_axis_tlast_o
+);
+  localparam int MagnitudeBits = 6 + FractionBits;
+  localparam int SlopeBits = 8 + FractionBits;
+  localparam int LevelBits = $clog2(Depth) + 1;
+  if (FractionBits < 0 || FractionBits > 6 || Reserve < 1 || Depth <= Reserve) begin : gen_illegal
+    illegal_FractionBits_must_be_0_to_6_and_Depth_greater_than_Reserve stop ();
+  end
+
+  logic [LevelBits-1:0] slope_level;
+  logic slope_valid, flags_valid, pop;
+  logic signed [SlopeBits-1:0] gx, gy;
+  logic [MagnitudeBits-1:0] magnitude;
+  logic first, contour;
+
+  stream_fifo #(
+      .Width(2 * SlopeBits),
+      .Depth(Depth)
+  ) i_slope (
+      .clk_i,
+      .rst_ni,
+      .push_i(slope_valid_i),
+      .data_i(slope_data_i),
+      .level_o(slope_level),
+      .m_tvalid_o(slope_valid),
+      .m_tready_i(pop),
+      .m_tdata_o({gy, gx})
+  );
+
+  stream_fifo #(
+      .Width(MagnitudeBits + 4),
+      .Depth(Depth)
+  ) i_flags (
+      .clk_i,
+      .rst_ni,
+      .push_i(flags_valid_i),
+      .data_i({flags_data_i, flags_sof_i && flags_sol_i, flags_eol_i}),
+      .level_o(),
+      .m_tvalid_o(flags_valid),
+      .m_tready_i(pop),
+      .m_tdata_o({first, contour, magnitude, m_axis_tuser_o, m_axis_tlast_o})
+  );
+
+  assign pop = m_axis_tvalid_o && m_axis_tready_i;
+  assign m_axis_tvalid_o = flags_valid && slope_valid;
+  assign m_axis_tdata_o = {8'b0, 16'(gy), 16'(gx), 16'(magnitude), 6'b0, first, contour};
+
+  always_ff @(posedge clk_i) begin
+    ready_o <= rst_ni && slope_level < LevelBits'(Depth - Reserve);
+  end
+
+  // Handshake; the flags of a pixel never come before its gradient.
+  logic held_q;
+  logic [63:0] held_data_q;
+  always_ff @(posedge clk_i) begin
+    held_q      <= rst_ni && m_axis_tvalid_o && !m_axis_tready_i;
+    held_data_q <= m_axis_tdata_o;
+    if (rst_ni) begin
+      assert (!held_q || (m_axis_tvalid_o && m_axis_tdata_o == held_data_q));
+      assert (!flags_valid || slope_valid);
+    end
+  end
+endmodule

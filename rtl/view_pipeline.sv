@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One camera's pipeline: pixels in, contour stream and vertex records out.
+//
+//   frame_guard -> row_slots -> gradient -> first_contour -> second_contour -> vertices
+//                                   \-> slope ----------------> contour_packer     \-> vertex_packer
+//
+// Beats flow through the stages without ever stalling: a pixel enters only when both packers
+// have room for everything that is under way.
+//
+//   s_axis_*           8-bit grey video: tuser start of frame, tlast end of line
+//   m_axis_contour_*   one beat per pixel, see contour_packer
+//   m_axis_vertex_*    records, see vertex_packer
+//   enable_i, frame_height_i, flush_timeout_i   see frame_guard
+//   thresholds_i       {vertex limit, noise floor, ...}: in force for a frame when the last pixel
+//                      of its first line is accepted, unless hold_i
+//   event_o, frame_done_o, sent_o, lost_o       for counters
+//
+// Latency to the contour stream: 1 + 6 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
+// streams: see line_window, frame_guard.
+module view_pipeline #(
+    parameter int View         = 0,
+    parameter int MaxWidthPx   = 1920,
+    parameter int MaxHeightPx  = 1200,
+    parameter int FractionBits = 3
+) (
+    input  logic                    clk_i,
+    input  logic                    rst_ni,
+    input  logic                    enable_i,
+    input  logic                    hold_i,
+    input  logic [            11:0] frame_height_i,
+    input  logic [            19:0] flush_timeout_i,
+    input  logic [            15:0] vertex_limit_i,
+    input  logic [FractionBits+5:0] noise_floor_i,
+    input  logic [             7:0] relative_weight_i,
+    input  logic [FractionBits+10:0] support_i,
+    input  logic [             7:0] min_strength_i,
+    output logic [             7:0] event_o,
+    output logic                    frame_done_o,
+    output logic [            15:0] sent_o,
+    output logic [            15:0] lost_o,
+    input  logic                    s_axis_tvalid,
+    output logic                    s_axis_tready,
+    input  logic [             7:0] s_axis_tdata,
+    input  logic                    s_axis_tuser,
+    input  logic                    s_axis_tlast,
+    output logic                    m_axis_contour_tvalid,
+    input  logic                    m_axis_contour_tready,
+    output logic [            63:0] m_axis_contour_tdata,
+    output logic                    m_axis_contour_tuser,
+    output logic                    m_axis_contour_tlast,
+    output logic                    m_axis_vertex_tvalid,
+    input  logic                    m_axis_vertex_tready,
+    output logic [            63:0] m_axis_vertex_tdata,
+    output logic                    m_axis_vertex_tlast
+);
+  localparam int ColBits = $clog2(MaxWidthPx);
+  localparam int RingBits = $clog2(MaxWidthPx + 16);
+  localparam int MagnitudeBits = FractionBits + 6;
+  localparam int SettingsBits = 16 + MagnitudeBits + 8 + (MagnitudeBits + 5) + 8;
+
+  // Settings of the frames in flight.
+  logic [SettingsBits-1:0] settings, settings_q;
+  logic settings_changed_q, load;
+  logic [15:0] limit;
+  logic [MagnitudeBits-1:0] noise_floor;
+  logic [7:0] relative_weight, min_strength;
+  logic [MagnitudeBits+4:0] support;
+  assign settings = {vertex_limit_i, noise_floor_i, relative_weight_i, support_i, min_strength_i};
+  assign {limit, noise_floor, relative_weight, support, min_strength} = settings_q;
+  always_ff @(posedge clk_i) begin
+    settings_changed_q <= !hold_i && settings != settings_q;
+    if (load && !hold_i) settings_q <= settings;
+    if (!rst_ni) settings_q <= settings;
+  end
+
+  logic write_valid, line_valid, line_ready, line_whole, line_first, line_last;
+  logic switch_wanted, drained, idle;
+  logic [1:0] line_fault;
+  logic [RingBits-1:0] write_address;
+  logic [RingBits:0] read;
+  logic [7:0] write_data;
+  logic [ColBits-1:0] last_col;
+  frame_guard #(
+      .MaxWidthPx (MaxWidthPx),
+      .MaxHeightPx(MaxHeightPx),
+      .RingBits   (RingBits)
+  ) i_guard (
+      .clk_i,
+      .rst_ni,
+      .s_axis_tvalid_i(s_axis_tvalid),
+      .s_axis_tready_o(s_axis_tready),
+      .s_axis_tdata_i(s_axis_tdata),
+      .s_axis_tuser_i(s_axis_tuser),
+      .s_axis_tlast_i(s_axis_tlast),
+      .enable_i,
+      .frame_height_i,
+      .flush_timeout_i,
+      .write_valid_o(write_valid),
+      .write_address_o(write_address),
+      .write_data_o(write_data),
+      .read_i(read),
+      .line_valid_o(line_valid),
+      .line_ready_i(line_ready),
+      .line_whole_o(line_whole),
+      .line_first_o(line_first),
+      .line_last_o(line_last),
+      .line_fault_o(line_fault),
+      .last_col_o(last_col),
+      .settings_changed_i(settings_changed_q),
+      .switch_o(switch_wanted),
+      .drained_i(drained),
+      .load_o(load),
+      .idle_o(idle),
+      .event_o
+  );
+
+  // Slot streams are named after the stage they leave.
+  logic contour_ready, vertex_ready, go_q;
+  always_ff @(posedge clk_i) go_q <= rst_ni && contour_ready && vertex_ready;
+
+  logic slot_valid, slot_sol, slot_sof, slot_real;
+  logic [1:0] slot_fault;
+  logic [7:0] slot_data;
+  row_slots #(
+      .MaxWidthPx(MaxWidthPx),
+      .RingBits  (RingBits)
+  ) i_slots (
+      .clk_i,
+      .rst_ni,
+      .line_valid_i(line_valid),
+      .line_ready_o(line_ready),
+      .line_whole_i(line_whole),
+      .line_first_i(line_first),
+      .line_last_i(line_last),
+      .line_fault_i(line_fault),
+      .last_col_i(last_col),
+      .write_valid_i(write_valid),
+      .write_address_i(write_address),
+      .write_data_i(write_data),
+      .read_o(read),
+      .go_i(go_q),
+      .idle_i(idle),
+      .switch_i(switch_wanted),
+      .frame_done_i(frame_done_o),
+      .drained_o(drained),
+      .valid_o(slot_valid),
+      .sol_o(slot_sol),
+      .sof_o(slot_sof),
+      .real_o(slot_real),
+      .fault_o(slot_fault),
+      .data_o(slot_data)
+  );
+
+  logic gradient_valid, gradient_sol, gradient_sof, gradient_real;
+  logic tail_valid, tail_sol, tail_sof, tail_real;
+  logic [1:0] gradient_fault, tail_fault;
+  logic [MagnitudeBits+1:0] gradient_data;
+  logic [7:0] tail_data;
+  gradient #(
+      .MaxWidthPx  (MaxWidthPx),
+      .FractionBits(FractionBits)
+  ) i_gradient (
+      .clk_i,
+      .rst_ni,
+      .valid_i(slot_valid),
+      .sol_i(slot_sol),
+      .sof_i(slot_sof),
+      .real_i(slot_real),
+      .fault_i(slot_fault),
+      .data_i(slot_data),
+      .valid_o(gradient_valid),
+      .sol_o(gradient_sol),
+      .sof_o(gradient_sof),
+      .real_o(gradient_real),
+      .fault_o(gradient_fault),
+      .data_o(gradient_data),
+      .tail_valid_o(tail_valid),
+      .tail_sol_o(tail_sol),
+      .tail_sof_o(tail_sof),
+      .tail_real_o(tail_real),
+      .tail_fault_o(tail_fault),
+      .tail_data_o(tail_data)
+  );
+
+  logic slope_valid;
+  logic [2*FractionBits+15:0] slope_data;
+  slope #(
+      .MaxWidthPx  (MaxWidthPx),
+      .FractionBits(FractionBits)
+  ) i_slope (
+      .clk_i,
+      .rst_ni,
+      .valid_i(tail_valid),
+      .sol_i(tail_sol),
+      .sof_i(tail_sof),
+      .real_i(tail_real),
+      .fault_i(tail_fault),
+      .data_i(tail_data),
+      .valid_o(slope_valid),
+      .data_o(slope_data)
+  );
+
+  logic first_valid, first_sol, first_sof, first_real;
+  logic [1:0] first_fault;
+  logic [MagnitudeBits+2:0] first_data;
+  first_contour #(
+      .MaxWidthPx   (MaxWidthPx),
+      .MagnitudeBits(MagnitudeBits)
+  ) i_first_contour (
+      .clk_i,
+      .rst_ni,
+      .noise_floor_i(noise_floor),
+      .relative_weight_i(relative_weight),
+      .valid_i(gradient_valid),
+      .sol_i(gradient_sol),
+      .sof_i(gradient_sof),
+      .real_i(gradient_real),
+      .fault_i(gradient_fault),
+      .data_i(gradient_data),
+      .valid_o(first_valid),
+      .sol_o(first_sol),
+      .sof_o(first_sof),
+      .real_o(first_real),
+      .fault_o(first_fault),
+      .data_o(first_data)
+  );
+
+  logic second_valid, second_sol, second_eol, second_sof, second_real;
+  logic [1:0] second_fault;
+  logic [MagnitudeBits+1:0] second_data;
+  second_contour #(
+      .MaxWidthPx   (MaxWidthPx),
+      .MagnitudeBits(MagnitudeBits)
+  ) i_second_contour (
+      .clk_i,
+      .rst_ni,
+      .support_i(support),
+      .valid_i(first_valid),
+      .sol_i(first_sol),
+      .sof_i(first_sof),
+      .real_i(first_real),
+      .fault_i(first_fault),
+      .data_i(first_data),
+      .valid_o(second_valid),
+      .sol_o(second_sol),
+      .eol_o(second_eol),
+      .sof_o(second_sof),
+      .real_o(second_real),
+      .fault_o(second_fault),
+      .data_o(second_data)
+  );
+
+  contour_packer #(
+      .FractionBits(FractionBits)
+  ) i_contour_packer (
+      .clk_i,
+      .rst_ni,
+      .slope_valid_i(slope_valid),
+      .slope_data_i(slope_data),
+      .flags_valid_i(second_valid && second_real),
+      .flags_sol_i(second_sol),
+      .flags_eol_i(second_eol),
+      .flags_sof_i(second_sof),
+      .flags_data_i(second_data),
+      .ready_o(contour_ready),
+      .m_axis_tvalid_o(m_axis_contour_tvalid),
+      .m_axis_tready_i(m_axis_contour_tready),
+      .m_axis_tdata_o(m_axis_contour_tdata),
+      .m_axis_tuser_o(m_axis_contour_tuser),
+      .m_axis_tlast_o(m_axis_contour_tlast)
+  );
+
+  logic vertex_valid, end_valid;
+  logic [11:0] vertex_x, vertex_y;
+  logic [3:0] vertex_branches;
+  logic [7:0] vertex_pattern, vertex_strength;
+  logic [1:0] end_fault;
+  vertices #(
+      .MaxWidthPx(MaxWidthPx)
+  ) i_vertices (
+      .clk_i,
+      .rst_ni,
+      .min_strength_i(min_strength),
+      .valid_i(second_valid),
+      .sol_i(second_sol),
+      .sof_i(second_sof),
+      .real_i(second_real),
+      .fault_i(second_fault),
+      .data_i(second_data[MagnitudeBits]),
+      .vertex_valid_o(vertex_valid),
+      .vertex_x_o(vertex_x),
+      .vertex_y_o(vertex_y),
+      .vertex_branches_o(vertex_branches),
+      .vertex_pattern_o(vertex_pattern),
+      .vertex_strength_o(vertex_strength),
+      .end_valid_o(end_valid),
+      .end_fault_o(end_fault)
+  );
+
+  vertex_packer #(
+      .View(View)
+  ) i_vertex_packer (
+      .clk_i,
+      .rst_ni,
+      .vertex_valid_i(vertex_valid),
+      .vertex_x_i(vertex_x),
+      .vertex_y_i(vertex_y),
+      .vertex_branches_i(vertex_branches),
+      .vertex_pattern_i(vertex_pattern),
+      .vertex_strength_i(vertex_strength),
+      .end_valid_i(end_valid),
+      .end_fault_i(end_fault),
+      .limit_i(limit),
+      .ready_o(vertex_ready),
+      .frame_done_o,
+      .sent_o,
+      .lost_o,
+      .m_axis_tvalid_o(m_axis_vertex_tvalid),
+      .m_axis_tready_i(m_axis_vertex_tready),
+      .m_axis_tdata_o(m_axis_vertex_tdata),
+      .m_axis_tlast_o(m_axis_vertex_tlast)
+  );
+endmodule
