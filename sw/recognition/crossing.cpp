@@ -32,18 +32,6 @@ double nearest_along(const SpaceLine& line, const Ray& ray) {
   return (b * e - d) / std::max(1e-9, 1 - b * b);
 }
 
-/// One segment as an interval of the common line, mm; `flip`: it runs against the line.
-struct Interval {
-  double low, high;
-  bool flip;
-};
-
-Interval interval_on(const SpaceLine& line, const ViewLines& v, std::size_t s) {
-  const double t0 = nearest_along(line, v.ideal.ray(v.ends[s][0]));
-  const double t1 = nearest_along(line, v.ideal.ray(v.ends[s][1]));
-  return {std::min(t0, t1), std::max(t0, t1), t1 < t0};
-}
-
 /// px per mm along the line in a view, at x.
 double px_per_mm_along(const IdealView& view, const Vector3d& x, const Vector3d& direction) {
   return (view.project(x + direction) - view.project(x)).norm();
@@ -51,133 +39,189 @@ double px_per_mm_along(const IdealView& view, const Vector3d& x, const Vector3d&
 
 bool in_front(const ViewLines& v, const Vector3d& x) { return v.ideal.depth(x) > 1e-3; }
 
-/// Whether a view has a segment along most of the edge.
-bool confirms(const ViewLines& v, const SpaceEdge& e) {
-  if (!in_front(v, e.end[0]) || !in_front(v, e.end[1])) return false;
+/// The segment of a view that runs along most of the edge, or -1.
+int find_along(const ViewLines& v, const SpaceEdge& e) {
+  if (!in_front(v, e.end[0]) || !in_front(v, e.end[1])) return -1;
   const Vector2d q0 = v.ideal.project(e.end[0]), q1 = v.ideal.project(e.end[1]);
   const double length = (q1 - q0).norm();
-  if (length < 4) return true;  // seen end-on: it cannot speak against the edge
-  constexpr double kTolerancePx = 2;
-  for (const Segment& s : v.segments) {
-    if (std::abs(s.distance(q0)) > kTolerancePx + 0.02 * length) continue;
-    if (std::abs(s.distance(q1)) > kTolerancePx + 0.02 * length) continue;
+  constexpr double kTolerancePx = 2, kMinLengthPx = 6;
+  if (length < kMinLengthPx) return -1;
+  int found = -1;
+  double best = 0.5 * length;
+  for (std::size_t i = 0; i < v.segments.size(); ++i) {
+    const Segment& s = v.segments[i];
+    if (std::abs(s.distance(q0)) > kTolerancePx || std::abs(s.distance(q1)) > kTolerancePx) {
+      continue;
+    }
     const double t0 = s.along(q0), t1 = s.along(q1);
     const double overlap = std::min(s.length, std::max(t0, t1)) - std::max(0.0, std::min(t0, t1));
-    if (overlap > 0.5 * std::min(length, s.length)) return true;
+    if (overlap <= best) continue;
+    best = overlap;
+    found = static_cast<int>(i);
   }
-  return false;
+  return found;
 }
 
+/// Positions along a common line, mm.
+struct Interval {
+  double low, high;
+};
+
+/// Crosses the segments of two views.
 class PairCrosser {
  public:
-  PairCrosser(const std::vector<ViewLines>& views, int a, int b, const CrossingOptions& options)
-      : views_(views), a_(a), b_(b), options_(options) {}
+  PairCrosser(const std::vector<ViewLines>& views, std::size_t a, std::size_t b,
+              const CrossingOptions& options)
+      : views_(views),
+        a_(a),
+        b_(b),
+        tolerance_px_(options.end_tolerance_px),
+        min_sine_(std::sin(options.min_plane_angle_rad)) {}
 
-  void cross(std::vector<SpaceEdge>& out) const {
-    for (std::size_t i = 0; i < view(a_).segments.size(); ++i) {
-      for (std::size_t j = 0; j < view(b_).segments.size(); ++j) {
-        if (auto e = cross_one(i, j)) out.push_back(*e);
-      }
+  void cross(std::vector<SpaceEdge>& out) {
+    for (std::size_t i = 0; i < views_[a_].segments.size(); ++i) {
+      for (std::size_t j = 0; j < views_[b_].segments.size(); ++j) cross_one(i, j, out);
     }
   }
 
  private:
-  const ViewLines& view(int v) const { return views_[static_cast<std::size_t>(v)]; }
+  void cross_one(std::size_t i, std::size_t j, std::vector<SpaceEdge>& out) {
+    const auto line = intersect(views_[a_].planes[i], views_[b_].planes[j], min_sine_);
+    if (!line) return;
+    line_ = *line;
+    const Interval p = positions(views_[a_].stops[i], along_a_);
+    const Interval q = positions(views_[b_].stops[j], along_b_);
+    const double low = std::max(p.low, q.low), high = std::min(p.high, q.high);
+    if (high <= low || !set_scales(low, high)) return;
+    const double tolerance = tolerance_px_ * mm_per_px_;
+    const double shortest = tolerance / 0.3;  // else its ends could be any of its points
+    if (high - low < shortest) return;
+    agree(views_[a_].stops[i], views_[b_].stops[j], tolerance);
+    segment_a_ = i;
+    segment_b_ = j;
+    for (std::size_t k = 0; k < agreed_.size(); ++k) {
+      for (std::size_t l = k + 1; l < agreed_.size(); ++l) {
+        if (agreed_[l] - agreed_[k] >= shortest) emit(agreed_[k], agreed_[l], true, true, out);
+      }
+    }
+    if (agreed_.empty()) return;
+    if (agreed_.back() < high - tolerance && high - agreed_[0] >= shortest) {
+      for (const double t : agreed_) emit(t, high, true, false, out);
+    }
+    if (agreed_[0] > low + tolerance && agreed_.back() - low >= shortest) {
+      for (const double t : agreed_) emit(low, t, false, true, out);
+    }
+  }
 
-  std::optional<SpaceEdge> cross_one(std::size_t i, std::size_t j) const {
-    const ViewLines &va = view(a_), &vb = view(b_);
-    const auto line = intersect(va.planes[i], vb.planes[j], std::sin(options_.min_plane_angle_rad));
-    if (!line) return std::nullopt;
-    const Interval p = interval_on(*line, va, i), q = interval_on(*line, vb, j);
-    const double overlap = std::min(p.high, q.high) - std::max(p.low, q.low);
-    if (overlap < options_.min_overlap * std::min(p.high - p.low, q.high - q.low)) {
-      return std::nullopt;
+  /// Positions of a segment's stops along the line; the interval between its ends.
+  Interval positions(const std::vector<Stop>& stops, std::vector<double>& along) const {
+    along.clear();
+    for (const Stop& s : stops) along.push_back(nearest_along(line_, s.ray));
+    return {std::min(along[0], along[1]), std::max(along[0], along[1])};
+  }
+
+  /// False when the line's common piece lies behind a camera.
+  bool set_scales(double low, double high) {
+    const Vector3d x = line_.point + low * line_.direction, y = line_.point + high * line_.direction;
+    for (const std::size_t v : {a_, b_}) {
+      if (!in_front(views_[v], x) || !in_front(views_[v], y)) return false;
     }
-    const double low = std::min(p.low, q.low), high = std::max(p.high, q.high);
+    const double a = px_per_mm_along(views_[a_].ideal, x, line_.direction);
+    const double b = px_per_mm_along(views_[b_].ideal, x, line_.direction);
+    mm_per_px_ = 1 / std::max(std::min(a, b), 1e-6);
+    weight_a_ = a * a / (a * a + b * b);
+    return true;
+  }
+
+  /// Where both views see the edge end; one of them may see a corner instead.
+  void agree(const std::vector<Stop>& stops_a, const std::vector<Stop>& stops_b,
+             double tolerance) {
+    agreed_.clear();
+    for (std::size_t k = 0; k < along_a_.size(); ++k) {
+      for (std::size_t l = 0; l < along_b_.size(); ++l) {
+        if (!stops_a[k].end && !stops_b[l].end) continue;
+        if (std::abs(along_a_[k] - along_b_[l]) > tolerance) continue;
+        agreed_.push_back(weight_a_ * along_a_[k] + (1 - weight_a_) * along_b_[l]);
+      }
+    }
+    std::sort(agreed_.begin(), agreed_.end());
+    const auto near = [&](double x, double y) { return y - x < 0.5 * tolerance; };
+    agreed_.erase(std::unique(agreed_.begin(), agreed_.end(), near), agreed_.end());
+  }
+
+  void emit(double low, double high, bool low_agreed, bool high_agreed,
+            std::vector<SpaceEdge>& out) const {
     SpaceEdge e;
-    e.view = {a_, b_};
-    e.segment = {static_cast<int>(i), static_cast<int>(j)};
-    e.end = {line->point + low * line->direction, line->point + high * line->direction};
-    if (!in_front(va, e.end[0]) || !in_front(va, e.end[1]) || !in_front(vb, e.end[0]) ||
-        !in_front(vb, e.end[1])) {
-      return std::nullopt;
-    }
-    e.direction = line->direction;
+    e.segment.assign(views_.size(), -1);
+    e.segment[a_] = static_cast<int>(segment_a_);
+    e.segment[b_] = static_cast<int>(segment_b_);
+    e.end = {line_.point + low * line_.direction, line_.point + high * line_.direction};
+    e.agreed = {low_agreed, high_agreed};
+    e.direction = line_.direction;
     e.length = high - low;
-    const double scale_a = px_per_mm_along(va.ideal, e.end[0], e.direction);
-    const double scale_b = px_per_mm_along(vb.ideal, e.end[0], e.direction);
-    e.sigma = 1 / std::max(std::min(scale_a, scale_b), 1e-6);
-    const double tolerance = options_.end_tolerance_px * e.sigma;
-    if (tolerance > 0.3 * e.length) return std::nullopt;  // seen too steeply to say anything
-    e.agreed = {std::abs(p.low - q.low) < tolerance, std::abs(p.high - q.high) < tolerance};
-    e.end_of = {{{p.flip ? 1 : 0, p.flip ? 0 : 1}, {q.flip ? 1 : 0, q.flip ? 0 : 1}}};
-    // Agreed ends lie between the two measurements, nearer to the one that sees more of the edge.
-    const double weight = scale_a * scale_a / (scale_a * scale_a + scale_b * scale_b);
-    const auto mean = [&](double x, double y) { return weight * x + (1 - weight) * y; };
-    if (e.agreed[0]) e.end[0] = line->point + mean(p.low, q.low) * line->direction;
-    if (e.agreed[1]) e.end[1] = line->point + mean(p.high, q.high) * line->direction;
-    e.length = (e.end[1] - e.end[0]).norm();
-    if (!e.agreed[0] && !e.agreed[1]) return std::nullopt;
-    return e;
+    e.mm_per_px = mm_per_px_;
+    out.push_back(std::move(e));
   }
 
   const std::vector<ViewLines>& views_;
-  int a_, b_;
-  const CrossingOptions& options_;
+  std::size_t a_, b_;
+  double tolerance_px_, min_sine_;
+  SpaceLine line_;
+  std::size_t segment_a_ = 0, segment_b_ = 0;
+  double mm_per_px_ = 0, weight_a_ = 0;
+  std::vector<double> along_a_, along_b_, agreed_;
 };
 
-/// Moves the ends of segments onto their nearest corners and lists the corners of every end.
-void attach_corners(ViewLines& v) {
-  v.end_corners.resize(v.segments.size());
-  for (const Segment& s : v.segments) v.ends.push_back({s.p0, s.p1});
-  std::vector<std::array<double, 2>> nearest(v.segments.size(), {1e9, 1e9});
-  for (std::size_t c = 0; c < v.corners.size(); ++c) {
-    for (int k = 0; k < 2; ++k) {
-      if (v.corners[c].through[static_cast<std::size_t>(k)]) continue;
-      const auto s = static_cast<std::size_t>(v.corners[c].segment[static_cast<std::size_t>(k)]);
-      const Segment& segment = v.segments[s];
-      const std::size_t end = segment.along(v.corners[c].p) < 0.5 * segment.length ? 0 : 1;
-      v.end_corners[s][end].push_back(static_cast<int>(c));
-      const double d = (v.corners[c].p - (end == 0 ? segment.p0 : segment.p1)).norm();
-      if (d < nearest[s][end]) {
-        nearest[s][end] = d;
-        v.ends[s][end] = v.corners[c].p;
-      }
-    }
+/// Fills in the segments of the views that were not crossed.
+void confirm(const std::vector<ViewLines>& views, SpaceEdge& e) {
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    if (e.segment[v] >= 0) continue;
+    e.segment[v] = find_along(views[v], e);
+    if (e.segment[v] >= 0) ++e.confirmations;
   }
+}
+
+/// Whether two candidates are one: the same segments in all views and ends that agree.
+bool same(const SpaceEdge& a, const SpaceEdge& b) {
+  if (a.segment != b.segment) return false;
+  const double limit = 3 * std::max(a.mm_per_px, b.mm_per_px);
+  const std::size_t flip = a.direction.dot(b.direction) < 0 ? 1 : 0;
+  for (const std::size_t k : {0U, 1U}) {
+    const std::size_t l = k ^ flip;
+    if (a.agreed[k] != b.agreed[l] || (a.end[k] - b.end[l]).norm() > limit) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-ViewLines find_lines(const View& view) {
-  ViewLines v{
-      IdealView(view.camera), view.features.width, view.features.height, {}, {}, {}, {}, {}};
-  v.segments = find_segments(find_edgels(view.features), view.camera);
-  for (const Segment& s : v.segments) v.planes.push_back(v.ideal.plane(s.p0, s.p1));
-  v.corners = find_corners(v.segments);
-  attach_corners(v);
-  return v;
-}
-
 std::vector<SpaceEdge> cross_edges(const std::vector<ViewLines>& views,
                                    const CrossingOptions& options) {
   std::vector<SpaceEdge> edges;
-  for (int a = 0; a < static_cast<int>(views.size()); ++a) {
-    for (int b = a + 1; b < static_cast<int>(views.size()); ++b) {
+  for (std::size_t a = 0; a < views.size(); ++a) {
+    for (std::size_t b = a + 1; b < views.size(); ++b) {
       PairCrosser(views, a, b, options).cross(edges);
     }
   }
-  for (SpaceEdge& e : edges) {
-    for (int v = 0; v < static_cast<int>(views.size()); ++v) {
-      if (v == e.view[0] || v == e.view[1]) continue;
-      if (confirms(views[static_cast<std::size_t>(v)], e)) ++e.confirmations;
-    }
-  }
+  for (SpaceEdge& e : edges) confirm(views, e);
+  // Of one edge crossed from several pairs of views, the best seen comes first and stays.
   std::stable_sort(edges.begin(), edges.end(), [](const SpaceEdge& a, const SpaceEdge& b) {
+    if (a.segment != b.segment) return a.segment < b.segment;
+    return a.mm_per_px < b.mm_per_px;
+  });
+  std::vector<SpaceEdge> out;
+  for (SpaceEdge& e : edges) {
+    bool known = false;
+    for (auto k = out.rbegin(); k != out.rend() && k->segment == e.segment && !known; ++k) {
+      known = same(*k, e);
+    }
+    if (!known) out.push_back(std::move(e));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const SpaceEdge& a, const SpaceEdge& b) {
     if (a.confirmations != b.confirmations) return a.confirmations > b.confirmations;
     return a.length > b.length;
   });
-  return edges;
+  return out;
 }
 
 }  // namespace trihedron

@@ -12,38 +12,40 @@
 
 namespace trihedron {
 
+/// A place along a segment where an edge may end: an end of the segment or a corner on it.
+struct Stop {
+  Ray ray;              ///< of the points that project onto it
+  bool end = true;      ///< false: the segment runs on
+};
+
 /// What one view contributes to the crossing: all of it in the undistorted image.
 struct ViewLines {
   IdealView ideal;
   int width = 0, height = 0;  ///< px
   std::vector<Segment> segments;
-  std::vector<Plane> planes;  ///< per segment: the points that project on it
   std::vector<Corner> corners;
-  std::vector<std::array<Eigen::Vector2d, 2>> ends;  ///< per segment: p0 and p1, moved to a corner
-                                                     ///< where one is near
-  std::vector<std::array<std::vector<int>, 2>> end_corners;  ///< per segment and end: its corners
+  std::vector<Plane> planes;              ///< per segment: the points that project onto it
+  std::vector<std::vector<Stop>> stops;   ///< per segment: first its two ends (p0, p1), moved to a
+                                          ///< corner where one is near
 };
 
 /// Segments and corners of one view.
 ViewLines find_lines(const View& view);
 
-/// Two segments of different views that may show the same edge of an object.
+/// Segments of two views or more that may show the same edge of an object.
 struct SpaceEdge {
-  std::array<int, 2> view{};                   ///< indices, ascending
-  std::array<int, 2> segment{};                ///< per view
-  std::array<Eigen::Vector3d, 2> end;          ///< ends in the world, mm: of the longer reach
-  Eigen::Vector3d direction;                   ///< unit, end[0] -> end[1]
-  double length = 0;                           ///< mm; a lower bound unless both ends are agreed
-  std::array<bool, 2> agreed{};                ///< both views see the edge end here
-  std::array<std::array<int, 2>, 2> end_of{};  ///< per view: which of its segment's ends is end[k]
-  int confirmations = 0;                       ///< further views that show a segment there
-  double sigma = 0;                            ///< of an end along the edge, mm
+  std::vector<int> segment;             ///< per view: index of its segment, -1: shows none
+  std::array<Eigen::Vector3d, 2> end;   ///< world, mm
+  std::array<bool, 2> agreed{};         ///< two views see the edge end here; one end at least
+  Eigen::Vector3d direction;            ///< unit, end[0] -> end[1]
+  double length = 0;                    ///< mm; a lower bound unless both ends are agreed
+  double mm_per_px = 0;                 ///< along the edge, in the crossed view that sees it worse
+  int confirmations = 0;                ///< views beyond two that show it
 };
 
 struct CrossingOptions {
-  double end_tolerance_px = 4;        ///< ends of segments: rounding by the 5x5 masks in both views
-  double min_plane_angle_rad = 0.14;  ///< interpretation planes closer to parallel give no line
-  double min_overlap = 0.5;           ///< of the shorter piece
+  double end_tolerance_px = 4;        ///< of the ends of segments: half of the 5x5 masks and noise
+  double min_plane_angle_rad = 0.14;  ///< planes of sight closer to parallel give no line
 };
 
 /// All candidates, most confirmed first, longer ones first among equals.

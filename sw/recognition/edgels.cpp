@@ -71,19 +71,26 @@ Across sample_across(const Field& f, std::size_t i, float gx, float gy) {
           m[-step] * (1 - slope) + m[-step - side] * slope, std::sqrt(1 + slope * slope)};
 }
 
-/// The derivative's masks overshoot: two to three pixels beside an edge, its response has the
-/// opposite sign and up to 1/5 of its height. Such an echo is no edge of its own.
-bool is_echo(const Field& f, int x, int y, float nx, float ny, float magnitude) {
-  constexpr float kLargestEcho = 0.2F;
-  for (const float step : {-3.0F, -2.0F, 2.0F, 3.0F}) {
-    const int px = static_cast<int>(std::lround(static_cast<float>(x) + step * nx));
-    const int py = static_cast<int>(std::lround(static_cast<float>(y) + step * ny));
-    if (px < 0 || py < 0 || px >= f.width || py >= f.height) continue;
-    const auto i = static_cast<std::size_t>(py) * static_cast<std::size_t>(f.width) +
-                   static_cast<std::size_t>(px);
-    if (magnitude < kLargestEcho * f.magnitude[i]) return true;
-  }
-  return false;
+/// Smoothed gradient along (nx, ny) at the pixel nearest to (x, y) + step * (nx, ny).
+float beside(const Field& f, int x, int y, float nx, float ny, float step) {
+  const int px = static_cast<int>(std::lround(static_cast<float>(x) + step * nx));
+  const int py = static_cast<int>(std::lround(static_cast<float>(y) + step * ny));
+  if (px < 0 || py < 0 || px >= f.width || py >= f.height) return 0;
+  const auto i = static_cast<std::size_t>(py) * static_cast<std::size_t>(f.width) +
+                 static_cast<std::size_t>(px);
+  return f.gx[i] * nx + f.gy[i] * ny;
+}
+
+/// Ridges that are no edges of objects. Two to three pixels beside an edge, the derivative's masks
+/// overshoot: their response has the opposite sign and up to 1/5 of the edge's. On a ramp wider
+/// than the optics' blur, the border of a soft shadow, both sides are nearly as steep.
+bool is_spurious(const Field& f, int x, int y, float nx, float ny, float magnitude) {
+  constexpr float kLargestEcho = 0.2F, kRamp = 0.4F;
+  const float left = beside(f, x, y, nx, ny, -3), right = beside(f, x, y, nx, ny, 3);
+  if (std::min(left, right) > kRamp * magnitude) return true;
+  const float echo_of = std::min({left, right, beside(f, x, y, nx, ny, -2),
+                                  beside(f, x, y, nx, ny, 2)});
+  return magnitude < -kLargestEcho * echo_of;
 }
 
 }  // namespace
@@ -106,7 +113,7 @@ EdgelMap find_edgels(const ViewFeatures& features, const EdgelOptions& options) 
       const Across a = sample_across(f, i, f.gx[i], f.gy[i]);
       if (m < a.ahead || m <= a.behind) continue;
       const float nx = f.gx[i] / m, ny = f.gy[i] / m;
-      if (is_echo(f, x, y, nx, ny, m)) continue;
+      if (is_spurious(f, x, y, nx, ny, m)) continue;
       const float curvature = a.ahead - 2 * m + a.behind;
       const float offset = a.length * 0.5F * (a.behind - a.ahead) / std::min(curvature, -1e-6F);
       const float shift = std::clamp(offset, -1.0F, 1.0F);

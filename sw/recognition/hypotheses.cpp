@@ -85,7 +85,7 @@ class Search {
   void from_whole_edges(const std::vector<SpaceEdge>& edges) {
     for (const SpaceEdge& e : edges) {
       if (!e.agreed[0] || !e.agreed[1]) continue;
-      const double tolerance = options_.length_tolerance_px * e.sigma;
+      const double tolerance = options_.length_tolerance_px * e.mm_per_px;
       for (const std::size_t end : {0U, 1U}) {
         const Vector3d direction = end == 0 ? e.direction : Vector3d(-e.direction);
         for (const Neighbour& n : neighbours(views_, e, end)) {
@@ -115,7 +115,7 @@ class Search {
       for (const End& b : ends) {
         if (a.edge == b.edge) continue;
         const double tolerance =
-            options_.length_tolerance_px * std::max(a.edge->sigma, b.edge->sigma);
+            options_.length_tolerance_px * std::max(a.edge->mm_per_px, b.edge->mm_per_px);
         if ((a.edge->end[a.end] - b.edge->end[b.end]).squaredNorm() > tolerance * tolerance) {
           continue;
         }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "recognition/crossing.hpp"
+
+namespace trihedron {
+namespace {
+
+/// Where a corner lies on one of its segments: at an end (0: p0, 1: p1) or, -1, between them.
+int end_at(const Corner& c, std::size_t k, const Segment& s) {
+  if (c.through[k]) return -1;
+  return s.along(c.p) < 0.5 * s.length ? 0 : 1;
+}
+
+/// The ends of a segment, moved to the nearest corners, and the corners between them.
+std::vector<Stop> stops_of(const ViewLines& v, int segment) {
+  const Segment& s = v.segments[static_cast<std::size_t>(segment)];
+  Eigen::Vector2d end[2] = {s.p0, s.p1};
+  double nearest[2] = {1e9, 1e9};
+  std::vector<Stop> out(2);
+  for (const Corner& c : v.corners) {
+    for (const std::size_t k : {0U, 1U}) {
+      if (c.segment[k] != segment) continue;
+      const int at = end_at(c, k, s);
+      if (at < 0) {
+        out.push_back({v.ideal.ray(c.p), false});
+        continue;
+      }
+      const double d = (c.p - (at == 0 ? s.p0 : s.p1)).norm();
+      if (d < nearest[at]) {
+        nearest[at] = d;
+        end[at] = c.p;
+      }
+    }
+  }
+  out[0] = {v.ideal.ray(end[0]), true};
+  out[1] = {v.ideal.ray(end[1]), true};
+  return out;
+}
+
+}  // namespace
+
+ViewLines find_lines(const View& view) {
+  ViewLines v{IdealView(view.camera), view.features.width, view.features.height, {}, {}, {}, {}};
+  v.segments = find_segments(find_edgels(view.features), view.camera);
+  v.corners = find_corners(v.segments);
+  for (int s = 0; s < static_cast<int>(v.segments.size()); ++s) {
+    const Segment& segment = v.segments[static_cast<std::size_t>(s)];
+    v.planes.push_back(v.ideal.plane(segment.p0, segment.p1));
+    v.stops.push_back(stops_of(v, s));
+  }
+  return v;
+}
+
+}  // namespace trihedron
