@@ -122,7 +122,8 @@ class PairCrosser {
 
   /// False when the line's common piece lies behind a camera.
   bool set_scales(double low, double high) {
-    const Vector3d x = line_.point + low * line_.direction, y = line_.point + high * line_.direction;
+    const Vector3d x = line_.point + low * line_.direction,
+                   y = line_.point + high * line_.direction;
     for (const std::size_t v : {a_, b_}) {
       if (!in_front(views_[v], x) || !in_front(views_[v], y)) return false;
     }
@@ -134,8 +135,7 @@ class PairCrosser {
   }
 
   /// Where both views see the edge end; one of them may see a corner instead.
-  void agree(const std::vector<Stop>& stops_a, const std::vector<Stop>& stops_b,
-             double tolerance) {
+  void agree(const std::vector<Stop>& stops_a, const std::vector<Stop>& stops_b, double tolerance) {
     agreed_.clear();
     for (std::size_t k = 0; k < along_a_.size(); ++k) {
       for (std::size_t l = 0; l < along_b_.size(); ++l) {

@@ -14,8 +14,8 @@ namespace trihedron {
 
 /// A place along a segment where an edge may end: an end of the segment or a corner on it.
 struct Stop {
-  Ray ray;              ///< of the points that project onto it
-  bool end = true;      ///< false: the segment runs on
+  Ray ray;          ///< of the points that project onto it
+  bool end = true;  ///< false: the segment runs on
 };
 
 /// What one view contributes to the crossing: all of it in the undistorted image.
@@ -24,9 +24,9 @@ struct ViewLines {
   int width = 0, height = 0;  ///< px
   std::vector<Segment> segments;
   std::vector<Corner> corners;
-  std::vector<Plane> planes;              ///< per segment: the points that project onto it
-  std::vector<std::vector<Stop>> stops;   ///< per segment: first its two ends (p0, p1), moved to a
-                                          ///< corner where one is near
+  std::vector<Plane> planes;             ///< per segment: the points that project onto it
+  std::vector<std::vector<Stop>> stops;  ///< per segment: first its two ends (p0, p1), moved to a
+                                         ///< corner where one is near
 };
 
 /// Segments and corners of one view.
@@ -34,13 +34,13 @@ ViewLines find_lines(const View& view);
 
 /// Segments of two views or more that may show the same edge of an object.
 struct SpaceEdge {
-  std::vector<int> segment;             ///< per view: index of its segment, -1: shows none
-  std::array<Eigen::Vector3d, 2> end;   ///< world, mm
-  std::array<bool, 2> agreed{};         ///< two views see the edge end here; one end at least
-  Eigen::Vector3d direction;            ///< unit, end[0] -> end[1]
-  double length = 0;                    ///< mm; a lower bound unless both ends are agreed
-  double mm_per_px = 0;                 ///< along the edge, in the crossed view that sees it worse
-  int confirmations = 0;                ///< views beyond two that show it
+  std::vector<int> segment;            ///< per view: index of its segment, -1: shows none
+  std::array<Eigen::Vector3d, 2> end;  ///< world, mm
+  std::array<bool, 2> agreed{};        ///< two views see the edge end here; one end at least
+  Eigen::Vector3d direction;           ///< unit, end[0] -> end[1]
+  double length = 0;                   ///< mm; a lower bound unless both ends are agreed
+  double mm_per_px = 0;                ///< along the edge, in the crossed view that sees it worse
+  int confirmations = 0;               ///< views beyond two that show it
 };
 
 struct CrossingOptions {

@@ -88,8 +88,8 @@ bool is_spurious(const Field& f, int x, int y, float nx, float ny, float magnitu
   constexpr float kLargestEcho = 0.2F, kRamp = 0.4F;
   const float left = beside(f, x, y, nx, ny, -3), right = beside(f, x, y, nx, ny, 3);
   if (std::min(left, right) > kRamp * magnitude) return true;
-  const float echo_of = std::min({left, right, beside(f, x, y, nx, ny, -2),
-                                  beside(f, x, y, nx, ny, 2)});
+  const float echo_of =
+      std::min({left, right, beside(f, x, y, nx, ny, -2), beside(f, x, y, nx, ny, 2)});
   return magnitude < -kLargestEcho * echo_of;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "recognition/evidence.hpp"
+#include "recognition/pose_pool.hpp"
 
 namespace trihedron {
 namespace {
@@ -14,12 +15,13 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A segment of some view that leaves an end of a space edge.
+/// A segment that leaves an end of a space edge, in some view.
 struct Neighbour {
-  const ViewLines* view;
+  int view;
   Plane plane;
   Vector2d leaving;  ///< in the image
-  bool through;
+  bool through;      ///< it leaves to both sides
+  double extent;     ///< px seen of it; a lower bound of its edge's length
 };
 
 /// The segments of all views that meet where an edge ends, but for those along the edge.
@@ -28,7 +30,8 @@ std::vector<Neighbour> neighbours(const std::vector<ViewLines>& views, const Spa
   constexpr double kReachPx = 4;       // between a corner and the projected end
   constexpr double kAcrossCos = 0.97;  // of the angle to the edge: below 14 degrees it is the edge
   std::vector<Neighbour> out;
-  for (const ViewLines& v : views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewLines& v = views[i];
     const Vector2d p = v.ideal.project(e.end[end]);
     const Vector2d along = (v.ideal.project(e.end[1 - end]) - p).normalized();
     std::vector<int> seen;
@@ -39,171 +42,169 @@ std::vector<Neighbour> neighbours(const std::vector<ViewLines>& views, const Spa
         if (std::abs(corner.leaving[k].dot(along)) > kAcrossCos) continue;
         if (std::find(seen.begin(), seen.end(), s) != seen.end()) continue;
         seen.push_back(s);
-        out.push_back(
-            {&v, v.planes[static_cast<std::size_t>(s)], corner.leaving[k], corner.through[k]});
+        const Segment& segment = v.segments[static_cast<std::size_t>(s)];
+        const double extent = std::max(corner.leaving[k].dot(segment.p0 - corner.p),
+                                       corner.leaving[k].dot(segment.p1 - corner.p));
+        out.push_back({static_cast<int>(i), v.planes[static_cast<std::size_t>(s)],
+                       corner.leaving[k], corner.through[k], extent});
       }
     }
   }
   return out;
 }
 
-/// Rotations that turn `along` onto `direction` and `aside` into the neighbour's plane, on the
-/// side where the neighbour leaves the corner (seen at x).
+/// Rotations that turn `along` onto `direction` and `aside` into a plane of the normal n; for
+/// each, where `aside` comes to lie.
 template <typename Visitor>
-void rotations(const ModelCorner& c, const Vector3d& x, const Vector3d& direction,
-               const Neighbour& n, Visitor&& visitor) {
+void rotations(const ModelCorner& c, const Vector3d& direction, const Vector3d& n,
+               Visitor&& visitor) {
   const Vector3d u = direction.unitOrthogonal(), w = direction.cross(u);
   const double sine = std::sin(c.angle), cosine = std::cos(c.angle);
-  const double a = n.plane.normal.dot(u), b = n.plane.normal.dot(w);
-  const double rho = std::hypot(a, b);
-  if (rho < 0.05) return;
-  double q = -cosine / sine * n.plane.normal.dot(direction) / rho;
+  const double a = n.dot(u), b = n.dot(w), rho = std::hypot(a, b);
+  // The plane turns with the edge: every roll would do.
+  constexpr double kMinTilt = 0.05;
+  if (rho < kMinTilt) return;
+  const double q = -cosine / sine * n.dot(direction) / rho;
   constexpr double kGrazing = 1.02;  // a plane that the second edge misses by a few degrees
   if (std::abs(q) > kGrazing) return;
-  q = std::clamp(q, -1.0, 1.0);
-  const double middle = std::atan2(b, a), half = std::acos(q);
+  const double middle = std::atan2(b, a), half = std::acos(std::clamp(q, -1.0, 1.0));
   const Vector3d model_u = (c.aside - cosine * c.along) / sine;
   Matrix3d model_frame, frame;
   model_frame << c.along, model_u, c.along.cross(model_u);
   for (const double phi : {middle + half, middle - half}) {
     const Vector3d side = std::cos(phi) * u + std::sin(phi) * w;
-    const Vector3d second = cosine * direction + sine * side;
-    const Vector2d seen = n.view->ideal.project(x + second) - n.view->ideal.project(x);
-    if (!n.through && seen.dot(n.leaving) <= 0) continue;
     frame << direction, side, direction.cross(side);
-    visitor(Matrix3d(frame * model_frame.transpose()));
+    visitor(Matrix3d(frame * model_frame.transpose()), Vector3d(cosine * direction + sine * side));
   }
 }
 
 class Search {
  public:
-  Search(const std::vector<ViewLines>& views, const std::vector<Model>& library,
-         const LibraryIndex& index, const HypothesisOptions& options)
-      : views_(views), library_(library), index_(index), options_(options), evidence_(views) {}
+  Search(const std::vector<ViewLines>& views, const std::vector<SpaceEdge>& edges,
+         const LibraryIndex& index, const HypothesisOptions& options, PosePool& pool)
+      : views_(views), edges_(edges), index_(index), options_(options), pool_(pool) {}
 
   /// Poses from edges whose both ends two views agree on.
-  void from_whole_edges(const std::vector<SpaceEdge>& edges) {
-    for (const SpaceEdge& e : edges) {
+  void from_whole_edges() {
+    for (const SpaceEdge& e : edges_) {
       if (!e.agreed[0] || !e.agreed[1]) continue;
-      const double tolerance = options_.length_tolerance_px * e.mm_per_px;
       for (const std::size_t end : {0U, 1U}) {
-        const Vector3d direction = end == 0 ? e.direction : Vector3d(-e.direction);
-        for (const Neighbour& n : neighbours(views_, e, end)) {
-          for (const ModelCorner& c :
-               index_.by_length(e.length - tolerance, e.length + tolerance)) {
-            rotations(c, e.end[end], direction, n,
-                      [&](const Matrix3d& R) { add(c.model, R, e.end[end] - R * c.position); });
+        for (const Neighbour& n : neighbours(views_, e, end)) match_whole(e, end, n);
+      }
+    }
+  }
+
+  /// Poses from pairs of edges that share an agreed end; their lengths are lower bounds.
+  void from_corners() {
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      const std::vector<std::vector<End>> ends = ends_by_segment(v);
+      for (const Corner& c : views_[v].corners) {
+        for (const End& a : ends[static_cast<std::size_t>(c.segment[0])]) {
+          for (const End& b : ends[static_cast<std::size_t>(c.segment[1])]) {
+            if (!meet(a, b, v, c.p)) continue;
+            match_corner(a, b);
+            match_corner(b, a);
           }
         }
       }
     }
   }
 
-  /// Poses from pairs of edges that share an agreed end; their lengths are lower bounds.
-  void from_corners(const std::vector<SpaceEdge>& edges) {
-    struct End {
-      const SpaceEdge* edge;
-      std::size_t end;
-    };
-    std::vector<End> ends;
-    for (const SpaceEdge& e : edges) {
+ private:
+  struct End {
+    const SpaceEdge* edge;
+    std::size_t end;
+
+    const Vector3d& x() const { return edge->end[end]; }
+    Vector3d leaving() const { return end == 0 ? edge->direction : Vector3d(-edge->direction); }
+  };
+
+  /// Per segment of a view: the agreed ends of the edges that it shows.
+  std::vector<std::vector<End>> ends_by_segment(std::size_t view) const {
+    std::vector<std::vector<End>> out(views_[view].segments.size());
+    for (const SpaceEdge& e : edges_) {
+      if (e.segment[view] < 0) continue;
       for (const std::size_t k : {0U, 1U}) {
-        if (e.agreed[k]) ends.push_back({&e, k});
+        if (e.agreed[k]) out[static_cast<std::size_t>(e.segment[view])].push_back({&e, k});
       }
     }
-    for (const End& a : ends) {
-      for (const End& b : ends) {
-        if (a.edge == b.edge) continue;
-        const double tolerance =
-            options_.length_tolerance_px * std::max(a.edge->mm_per_px, b.edge->mm_per_px);
-        if ((a.edge->end[a.end] - b.edge->end[b.end]).squaredNorm() > tolerance * tolerance) {
-          continue;
+    return out;
+  }
+
+  /// Whether two edges end in one point that the view sees at p.
+  bool meet(const End& a, const End& b, std::size_t view, const Vector2d& p) const {
+    const double limit =
+        options_.length_tolerance_px * std::max(a.edge->mm_per_px, b.edge->mm_per_px);
+    if ((a.x() - b.x()).squaredNorm() > limit * limit) return false;
+    constexpr double kReachPx = 4;
+    const Vector2d q = views_[view].ideal.project(0.5 * (a.x() + b.x()));
+    return (q - p).squaredNorm() < kReachPx * kReachPx;
+  }
+
+  /// Whether one of the surfaces at an edge at x turns to the view.
+  bool visible(const std::array<Vector3d, 2>& normals, const Matrix3d& R, const Vector3d& x,
+               std::size_t view) const {
+    const Vector3d sight = R.transpose() * views_[view].ideal.sight(x);
+    return normals[0].dot(sight) < 0 || normals[1].dot(sight) < 0;
+  }
+
+  /// Whether an edge could be seen by all views that show it.
+  bool visible(const std::array<Vector3d, 2>& normals, const Matrix3d& R, const SpaceEdge& e,
+               const Vector3d& x) const {
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      if (e.segment[v] >= 0 && !visible(normals, R, x, v)) return false;
+    }
+    return true;
+  }
+
+  void match_whole(const SpaceEdge& e, std::size_t end, const Neighbour& n) {
+    const Vector3d& x = e.end[end];
+    const Vector3d direction = end == 0 ? e.direction : Vector3d(-e.direction);
+    const IdealView& view = views_[static_cast<std::size_t>(n.view)].ideal;
+    const Vector2d p = view.project(x);
+    const double tolerance = options_.length_tolerance_px * e.mm_per_px;
+    for (const ModelCorner& c : index_.by_length(e.length - tolerance, e.length + tolerance)) {
+      rotations(c, direction, n.plane.normal, [&](const Matrix3d& R, const Vector3d& aside) {
+        if (!n.through) {
+          const Vector2d seen = view.project(x + c.aside_length * aside) - p;
+          if (seen.dot(n.leaving) < n.extent - options_.length_tolerance_px) return;
         }
-        match_corner(*a.edge, a.end, *b.edge, b.end, tolerance);
-      }
+        if (!visible(c.aside_normals, R, x, static_cast<std::size_t>(n.view))) return;
+        if (visible(c.along_normals, R, e, x)) pool_.add(c.model, {R, x - R * c.position});
+      });
     }
   }
 
-  std::vector<PoseHypothesis> finish(HypothesisStatistics* statistics);
-
- private:
-  void match_corner(const SpaceEdge& a, std::size_t end_a, const SpaceEdge& b, std::size_t end_b,
-                    double tolerance) {
-    const Vector3d da = end_a == 0 ? a.direction : Vector3d(-a.direction);
-    const Vector3d db = end_b == 0 ? b.direction : Vector3d(-b.direction);
+  void match_corner(const End& a, const End& b) {
+    const Vector3d da = a.leaving(), db = b.leaving();
     const double angle = std::acos(std::clamp(da.dot(db), -1.0, 1.0));
-    if (std::sin(angle) < 0.2) return;
-    const Vector3d x = 0.5 * (a.end[end_a] + b.end[end_b]);
+    constexpr double kMinSine = 0.2;  // else the normal is too uncertain
+    if (std::sin(angle) < kMinSine) return;
+    const double tolerance =
+        options_.length_tolerance_px * std::max(a.edge->mm_per_px, b.edge->mm_per_px);
+    const Vector3d x = 0.5 * (a.x() + b.x());
     Matrix3d frame, model_frame;
     const Vector3d normal = da.cross(db).normalized();
     frame << da, normal.cross(da), normal;
     for (const ModelCorner& c : index_.by_angle(angle - options_.angle_tolerance_rad,
                                                 angle + options_.angle_tolerance_rad)) {
-      if (c.length < a.length - tolerance || c.aside_length < b.length - tolerance) continue;
+      if (c.length < a.edge->length - tolerance) continue;
+      if (c.aside_length < b.edge->length - tolerance) continue;
       const Vector3d n = c.along.cross(c.aside).normalized();
       model_frame << c.along, n.cross(c.along), n;
       const Matrix3d R = frame * model_frame.transpose();
-      add(c.model, R, x - R * c.position);
+      if (!visible(c.along_normals, R, *a.edge, x)) continue;
+      if (!visible(c.aside_normals, R, *b.edge, x)) continue;
+      pool_.add(c.model, {R, x - R * c.position});
     }
   }
 
-  void add(int model, const Matrix3d& R, const Vector3d& t) {
-    PoseHypothesis h{model, {R, t}, 0};
-    h.support = evidence_.score(library_[static_cast<std::size_t>(model)], h.world_from_model, 2);
-    ++poses_;
-    if (h.support > 0) found_.push_back(h);
-  }
-
-  /// Same pose up to a symmetry: vertices closer than a tenth of the diameter.
-  bool same(const PoseHypothesis& a, const PoseHypothesis& b) const {
-    const Model& m = library_[static_cast<std::size_t>(a.model)];
-    const double limit = 0.04 * m.diameter;
-    const auto close = [&](const Transform& pose) {
-      for (const Vector3d& x : m.mesh.vertices) {
-        if ((pose * x - b.world_from_model * x).squaredNorm() > limit * limit) return false;
-      }
-      return true;
-    };
-    if (close(a.world_from_model)) return true;
-    return std::any_of(m.symmetries.begin(), m.symmetries.end(),
-                       [&](const Transform& s) { return close(a.world_from_model * s); });
-  }
-
   const std::vector<ViewLines>& views_;
-  const std::vector<Model>& library_;
+  const std::vector<SpaceEdge>& edges_;
   const LibraryIndex& index_;
   const HypothesisOptions& options_;
-  Evidence evidence_;
-  std::vector<PoseHypothesis> found_;
-  int poses_ = 0;
+  PosePool& pool_;
 };
-
-void keep_best(std::vector<PoseHypothesis>& h, int count) {
-  std::stable_sort(h.begin(), h.end(), [](const PoseHypothesis& a, const PoseHypothesis& b) {
-    return a.support > b.support;
-  });
-  if (h.size() > static_cast<std::size_t>(count)) h.resize(static_cast<std::size_t>(count));
-}
-
-std::vector<PoseHypothesis> Search::finish(HypothesisStatistics* statistics) {
-  keep_best(found_, options_.max_coarse);
-  for (PoseHypothesis& h : found_) {
-    const Model& m = library_[static_cast<std::size_t>(h.model)];
-    for (int k = 0; k < 2; ++k) evidence_.refine(m, h.world_from_model);
-    h.support = evidence_.score(m, h.world_from_model, 8);
-  }
-  keep_best(found_, options_.max_coarse);
-  std::vector<PoseHypothesis> out;
-  for (const PoseHypothesis& h : found_) {
-    if (out.size() == static_cast<std::size_t>(options_.max_hypotheses)) break;
-    const bool known = std::any_of(out.begin(), out.end(), [&](const PoseHypothesis& other) {
-      return other.model == h.model && same(h, other);
-    });
-    if (!known) out.push_back(h);
-  }
-  if (statistics != nullptr) *statistics = {poses_, static_cast<int>(out.size())};
-  return out;
-}
 
 }  // namespace
 
@@ -213,10 +214,16 @@ std::vector<PoseHypothesis> find_hypotheses(const std::vector<ViewLines>& views,
                                             const LibraryIndex& index,
                                             const HypothesisOptions& options,
                                             HypothesisStatistics* statistics) {
-  Search search(views, library, index, options);
-  search.from_whole_edges(edges);
-  search.from_corners(edges);
-  return search.finish(statistics);
+  const Evidence evidence(views);
+  PosePool pool(evidence, library, options);
+  Search search(views, edges, index, options, pool);
+  search.from_whole_edges();
+  search.from_corners();
+  std::vector<PoseHypothesis> out = pool.finish();
+  if (statistics != nullptr) {
+    *statistics = {pool.offered(), pool.scored(), static_cast<int>(out.size())};
+  }
+  return out;
 }
 
 }  // namespace trihedron

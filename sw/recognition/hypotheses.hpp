@@ -25,7 +25,8 @@ struct HypothesisOptions {
 };
 
 struct HypothesisStatistics {
-  int poses = 0;     ///< from all sources
+  int offered = 0;   ///< poses from all sources
+  int scored = 0;    ///< of them not nearly equal to others
   int distinct = 0;  ///< after refinement and merging
 };
 

@@ -24,6 +24,13 @@ ModelCorner make_corner(const Model& model, int index, int vertex, int first, in
   c.length = model.edges[static_cast<std::size_t>(first)].length;
   c.aside_length = model.edges[static_cast<std::size_t>(second)].length;
   c.angle = std::acos(std::clamp(c.along.dot(c.aside), -1.0, 1.0));
+  const auto normals = [&](int edge) -> std::array<Eigen::Vector3d, 2> {
+    const ModelEdge& e = model.edges[static_cast<std::size_t>(edge)];
+    return {model.surfaces[static_cast<std::size_t>(e.left)].normal,
+            model.surfaces[static_cast<std::size_t>(e.right)].normal};
+  };
+  c.along_normals = normals(first);
+  c.aside_normals = normals(second);
   return c;
 }
 

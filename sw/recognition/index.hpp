@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "recognition/model.hpp"
@@ -12,12 +13,14 @@ namespace trihedron {
 struct ModelCorner {
   int model = 0;  ///< index into the library
   int vertex = 0;
-  Eigen::Vector3d position;  ///< of the vertex, model frame, mm
-  Eigen::Vector3d along;     ///< unit, along the first edge
-  Eigen::Vector3d aside;     ///< unit, along the second edge
-  double length = 0;         ///< of the first edge, mm
-  double aside_length = 0;   ///< of the second edge, mm
-  double angle = 0;          ///< between them, rad
+  Eigen::Vector3d position;                      ///< of the vertex, model frame, mm
+  Eigen::Vector3d along;                         ///< unit, along the first edge
+  Eigen::Vector3d aside;                         ///< unit, along the second edge
+  double length = 0;                             ///< of the first edge, mm
+  double aside_length = 0;                       ///< of the second edge, mm
+  double angle = 0;                              ///< between them, rad
+  std::array<Eigen::Vector3d, 2> along_normals;  ///< of the surfaces at the first edge
+  std::array<Eigen::Vector3d, 2> aside_normals;  ///< of the surfaces at the second edge
 };
 
 /// The corners of a library, ordered for look-up. Of corners that a symmetry of their model maps

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/pose_pool.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace trihedron {
+namespace {
+
+using Eigen::Vector3d;
+
+void sort_best(std::vector<PoseHypothesis>& h, int count) {
+  std::stable_sort(h.begin(), h.end(), [](const PoseHypothesis& a, const PoseHypothesis& b) {
+    return a.support > b.support;
+  });
+  if (h.size() > static_cast<std::size_t>(count)) h.resize(static_cast<std::size_t>(count));
+}
+
+}  // namespace
+
+/// A number that poses within a bin share: 5 mm for the model's first surface, about 6 degrees.
+std::uint64_t PosePool::bin(int model, const Transform& pose) const {
+  constexpr double kBinMm = 5, kBinsPerUnit = 10;
+  const Vector3d x = pose * library_[static_cast<std::size_t>(model)].surfaces[0].centroid;
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto mix = [&](double v) {
+    hash ^= static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v)) + (1 << 20));
+    hash *= 1099511628211ULL;
+    hash ^= hash >> 29;
+  };
+  mix(model);
+  for (int k = 0; k < 3; ++k) mix(x[k] / kBinMm);
+  for (int k = 0; k < 2; ++k) {
+    for (int l = 0; l < 3; ++l) mix(pose.R(l, k) * kBinsPerUnit + 0.5);
+  }
+  return hash;
+}
+
+void PosePool::add(int model, const Transform& pose) {
+  ++offered_;
+  constexpr int kPerBin = 2;
+  if (++count_[bin(model, pose)] > kPerBin) return;
+  ++scored_;
+  PoseHypothesis h{model, pose, 0};
+  h.support = evidence_.score(library_[static_cast<std::size_t>(model)], pose, 2);
+  if (h.support > 0) found_.push_back(h);
+}
+
+bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const {
+  if (a.model != b.model) return false;
+  const Model& m = library_[static_cast<std::size_t>(a.model)];
+  const double squared = limit * limit * m.diameter * m.diameter;
+  const auto close = [&](const Transform& pose) {
+    return std::all_of(m.mesh.vertices.begin(), m.mesh.vertices.end(), [&](const Vector3d& x) {
+      return (pose * x - b.world_from_model * x).squaredNorm() < squared;
+    });
+  };
+  if (close(a.world_from_model)) return true;
+  return std::any_of(m.symmetries.begin(), m.symmetries.end(),
+                     [&](const Transform& s) { return close(a.world_from_model * s); });
+}
+
+std::vector<PoseHypothesis> PosePool::finish() {
+  sort_best(found_, options_.max_coarse);
+  const auto merge = [&](double limit) {
+    std::vector<PoseHypothesis> out;
+    for (const PoseHypothesis& h : found_) {
+      if (std::none_of(out.begin(), out.end(),
+                       [&](const PoseHypothesis& other) { return same(h, other, limit); })) {
+        out.push_back(h);
+      }
+    }
+    found_ = std::move(out);
+  };
+  merge(0.04);
+  for (PoseHypothesis& h : found_) {
+    const Model& m = library_[static_cast<std::size_t>(h.model)];
+    for (int k = 0; k < 2; ++k) evidence_.refine(m, h.world_from_model);
+    h.support = evidence_.score(m, h.world_from_model, 8);
+  }
+  sort_best(found_, options_.max_coarse);
+  merge(0.03);
+  sort_best(found_, options_.max_hypotheses);
+  return std::move(found_);
+}
+
+}  // namespace trihedron

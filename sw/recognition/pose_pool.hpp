@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "recognition/evidence.hpp"
+#include "recognition/hypotheses.hpp"
+#include "recognition/model.hpp"
+
+namespace trihedron {
+
+/// Collects poses, scores those that are new, and hands out the best, refined and merged.
+class PosePool {
+ public:
+  PosePool(const Evidence& evidence, const std::vector<Model>& library,
+           const HypothesisOptions& options)
+      : evidence_(evidence), library_(library), options_(options) {}
+
+  /// Scores the pose unless enough poses like it were scored before.
+  void add(int model, const Transform& world_from_model);
+
+  /// The best poses after a refinement on the segments, equal ones (up to a symmetry) merged.
+  std::vector<PoseHypothesis> finish();
+
+  int offered() const { return offered_; }
+  int scored() const { return scored_; }
+
+ private:
+  std::uint64_t bin(int model, const Transform& pose) const;
+  bool same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const;
+
+  const Evidence& evidence_;
+  const std::vector<Model>& library_;
+  const HypothesisOptions& options_;
+  std::vector<PoseHypothesis> found_;
+  std::unordered_map<std::uint64_t, int> count_;  ///< poses scored per bin
+  int offered_ = 0, scored_ = 0;
+};
+
+}  // namespace trihedron
