@@ -17,5 +17,6 @@ enum ExitCode : int {
 void add_recognize(CLI::App& program, int& exit_code);
 void add_evaluate(CLI::App& program, int& exit_code);
 void add_models(CLI::App& program, int& exit_code);
+void add_render(CLI::App& program, int& exit_code);
 
 }  // namespace trihedron::cli

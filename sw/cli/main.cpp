@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   add_recognize(program, exit_code);
   add_evaluate(program, exit_code);
   add_models(program, exit_code);
+  add_render(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
