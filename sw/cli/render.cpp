@@ -64,8 +64,7 @@ void run(RenderArguments a) {
     if (terminal) fmt::print(stderr, "\rrendered {} of {} scenes", i + 1, a.scenes);
   }
   if (terminal) fmt::print(stderr, "\n");
-  fmt::print("{} scenes in {}
-", a.scenes, a.out.string());
+  fmt::print("{} scenes in {}\n", a.scenes, a.out.string());
 }
 
 void add_scene_options(CLI::App& command, RenderArguments& a) {
