@@ -36,6 +36,18 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// A message that lists the commands, where CLI11 only says that one is missing.
+void check_command(const CLI::App& program, int argc, char** argv) {
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    if (argc > 1 && command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  if (argc < 2) throw trihedron::Error("no command given; expected " + names);
+  if (argv[1][0] != '-')
+    throw trihedron::Error(std::string("unknown command ") + argv[1] + "; expected " + names);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -52,6 +64,7 @@ int main(int argc, char** argv) {
   add_models(program, exit_code);
   add_render(program, exit_code);
   try {
+    check_command(program, argc, argv);
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version

@@ -11,12 +11,21 @@
 
 #include "golden/error.hpp"
 #include "io/file.hpp"
+#include "io/polygons.hpp"
 
 namespace trihedron {
 namespace {
 
+/// The file name's ending in lower case, dot included.
+std::string ending_of(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
 /// Adds a node's meshes and its children's, moved to the file's root frame.
-void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, Mesh& out) {
+void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, Polygons& out) {
   const aiMatrix4x4 root_from_node = parent * node.mTransformation;
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
@@ -27,10 +36,11 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent
     }
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) continue;  // points and lines
-      std::array<int, 3> triangle{};
-      for (int k = 0; k < 3; ++k) triangle[k] = base + static_cast<int>(face.mIndices[k]);
-      out.triangles.push_back(triangle);
+      if (face.mNumIndices < 3) continue;  // points and lines
+      std::vector<int> corners;
+      for (unsigned k = 0; k < face.mNumIndices; ++k)
+        corners.push_back(base + static_cast<int>(face.mIndices[k]));
+      out.faces.push_back(corners);
     }
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c)
@@ -40,9 +50,7 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent
 }  // namespace
 
 bool is_mesh_name(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = ending_of(file);
   return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
 }
 
@@ -51,23 +59,24 @@ Mesh read_mesh(const std::filesystem::path& file) {
   if (!is_mesh_name(file))
     throw Error(name + ": not a mesh that can be read; expected a .ply, .obj, .stl or .off file");
   require_file(file, "a mesh");
+  if (ending_of(file) == ".off") return triangulate(read_off(file));
   Assimp::Importer importer;
   // Normals and colours would keep equal positions apart.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_COLORS | aiComponent_TEXCOORDS |
                                   aiComponent_MATERIALS | aiComponent_TEXTURES);
-  const aiScene* scene = importer.ReadFile(
-      name, aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices | aiProcess_Triangulate);
+  const aiScene* scene =
+      importer.ReadFile(name, aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
   if (scene == nullptr || scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
     std::string why = importer.GetErrorString();
     std::replace(why.begin(), why.end(), '\n', ' ');
     throw Error(name + ": not a readable mesh" + (why.empty() ? "" : " (" + why + ")") +
                 "; expected triangles or polygons in PLY, OBJ, STL or OFF");
   }
-  Mesh mesh;
-  collect(*scene, *scene->mRootNode, aiMatrix4x4(), mesh);
-  return mesh;
+  Polygons polygons;
+  collect(*scene, *scene->mRootNode, aiMatrix4x4(), polygons);
+  return triangulate(polygons);
 }
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {

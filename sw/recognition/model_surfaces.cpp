@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 /// More planar faces than this are a curved part: the method needs faces of many pixels.
 constexpr int kMaxSurfaces = 256;
 /// So many faces that each meet two neighbours at less than kSmoothRad are a curved part too
-/// (a cylinder): such edges show too little contrast to become contours.
-constexpr int kMaxSmoothSurfaces = 32;
+/// (a finely cut cylinder): its bends show too little contrast to become contours.
+constexpr int kMaxSmoothSurfaces = 96;
 constexpr double kSmoothRad = 15 * 3.14159265358979 / 180;
 
 struct Plane {

@@ -5,8 +5,8 @@
 
 #include "io/file.hpp"
 #include "io/mesh.hpp"
-#include "io/scratch.hpp"
 #include "recognition/shapes.hpp"
+#include "scratch.hpp"
 
 using namespace trihedron;
 using Catch::Matchers::Contains;

@@ -6,8 +6,8 @@
 #include "io/bop_results.hpp"
 #include "io/feature_files.hpp"
 #include "io/file.hpp"
-#include "io/scratch.hpp"
 #include "io/views.hpp"
+#include "scratch.hpp"
 
 using namespace trihedron;
 using Catch::Matchers::Contains;

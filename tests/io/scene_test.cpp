@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "io/json_field.hpp"
-#include "io/scratch.hpp"
+#include "scratch.hpp"
 
 using namespace trihedron;
 using Catch::Matchers::Contains;
