@@ -16,7 +16,8 @@ ViewFeatures run_front_end(const std::uint8_t* grey, int width, int height, int 
   }
   const GradientImage image = gradient(grey, width, height, stride);
   const Plane<std::uint8_t> first = first_contour(image.magnitude, config.first_contour);
-  const Plane<std::uint8_t> second = second_contour(image, first, config.second_contour);
+  const Plane<std::uint8_t> second =
+      second_contour(image, first, config.first_contour.noise_floor, config.second_contour);
 
   ViewFeatures features;
   features.width = width;

@@ -5,20 +5,28 @@
 
 #include "golden/gradient.hpp"
 #include "golden/plane.hpp"
+#include "golden/ridge.hpp"
 
 namespace trihedron::golden {
 
-/// Registers of stage 3.
-struct SecondContourConfig {
-  /// Smallest weighted sum of the window's first-contour magnitudes, 1/kGradientScale grey level
-  /// per px.
-  int support = 144;
-};
+/// Stage 3, second window: the second contour from the ridge, seen through a 5x5 window of ridge
+/// bits. The links of a pixel are its ridge neighbours among the 8.
+///
+///   A ridge pixel stays when it has a link.
+///   A pixel off the ridge, with magnitude >= noise_floor, closes a gap of one pixel when its
+///   links fall into two or more groups that do not touch (8 neighbours) and one of the links is
+///   an end, that is, has one link.
+///
+/// So pieces of contour are joined, never cut. A closed gap may be no first contour.
+/// A pixel whose 5x5 window leaves the image is 0.
+Plane<std::uint8_t> link(const Plane<std::uint8_t>& ridge, const Plane<std::uint16_t>& magnitude,
+                         int noise_floor);
 
-/// Stage 3 (provisional definition). The first-contour pixels on the ridge of the magnitude
-/// across the gradient direction whose window holds enough first contour.
-Plane<std::uint8_t> second_contour(const GradientImage& gradient,
-                                   const Plane<std::uint8_t>& first_contour,
-                                   const SecondContourConfig& config);
+/// Stage 3: the ridge of the first contour, linked; one pixel wide.
+inline Plane<std::uint8_t> second_contour(const GradientImage& gradient,
+                                          const Plane<std::uint8_t>& first_contour, int noise_floor,
+                                          const SecondContourConfig& config) {
+  return link(ridge(gradient, first_contour, config), gradient.magnitude, noise_floor);
+}
 
 }  // namespace trihedron::golden
