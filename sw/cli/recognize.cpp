@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <chrono>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -59,24 +60,19 @@ void print_result(const Scene& scene, const RecognitionResult& result,
     fmt::print("{:<12} {:6}  {:8.2f} ms\n", stage.stage, stage.count, 1e3 * stage.seconds);
 }
 
-double total_seconds(const RecognitionResult& result) {
-  double seconds = 0;
-  for (const StageStatistics& stage : result.stages) seconds += stage.seconds;
-  return seconds;
-}
-
 int run(const Arguments& arguments) {
   const Scene scene = read_scene(arguments.scene);
   const std::vector<Model> library = arguments.recognition.library(arguments.scene);
   if (!arguments.out.empty()) make_folder(arguments.out);
   const std::vector<View> views = make_views(scene, arguments.recognition.make_front_end());
+  const auto start = std::chrono::steady_clock::now();
   const RecognitionResult result = recognize(views, library, arguments.recognition.options());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const std::string report = report_json(scene, result, library).dump(1) + "\n";
   if (!arguments.out.empty()) {
     const std::filesystem::path out = arguments.out;
     write_pictures(out, scene, views, result, library);
-    write_whole(out / "results.csv",
-                format_results(result_rows(scene, result, total_seconds(result))));
+    write_whole(out / "results.csv", format_results(result_rows(scene, result, seconds.count())));
     write_whole(out / "report.json", report);
   }
   if (arguments.json)

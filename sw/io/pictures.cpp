@@ -9,6 +9,7 @@
 
 #include "io/file.hpp"
 #include "io/image.hpp"
+#include "recognition/regions.hpp"
 #include "recognition/visibility.hpp"
 
 namespace trihedron {
@@ -43,6 +44,15 @@ unsigned char tone(int magnitude) {
   return cv::saturate_cast<unsigned char>(255 * std::sqrt(magnitude / kWhite));
 }
 
+/// Colours that stay apart for any number of objects: hues by the golden angle.
+cv::Scalar colour_of(std::size_t object) {
+  const double hue = std::fmod(60 + 137.508 * static_cast<double>(object), 360) / 2;
+  cv::Mat pixel(1, 1, CV_8UC3, cv::Scalar(hue, 210, 255));
+  cv::cvtColor(pixel, pixel, cv::COLOR_HSV2BGR);
+  const auto& p = pixel.at<cv::Vec3b>(0, 0);
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
 cv::Mat flag_mask(const ViewFeatures& features, ContourFlag flag) {
   cv::Mat mask(features.height, features.width, CV_8U);
   for (int y = 0; y < features.height; ++y)
@@ -71,13 +81,30 @@ cv::Mat vertex_image(const cv::Mat& grey, const ViewFeatures& features, int scal
   return out;
 }
 
-/// Colours that stay apart for any number of objects: hues by the golden angle.
-cv::Scalar colour_of(std::size_t object) {
-  const double hue = std::fmod(60 + 137.508 * static_cast<double>(object), 360) / 2;
-  cv::Mat pixel(1, 1, CV_8UC3, cv::Scalar(hue, 210, 255));
-  cv::cvtColor(pixel, pixel, cv::COLOR_HSV2BGR);
-  const auto& p = pixel.at<cv::Vec3b>(0, 0);
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+std::vector<cv::Point> corners(const ImagePolygon& polygon, int scale) {
+  std::vector<cv::Point> out;
+  for (const Eigen::Vector2d& x : polygon) out.push_back(at(x, scale));
+  return out;
+}
+
+/// Closed regions in colours over the darkened image, their polygons' corners marked.
+cv::Mat region_image(const cv::Mat& grey, const ViewFeatures& features, int scale) {
+  cv::Mat out = enlarged(grey / 2, scale, cv::INTER_LINEAR);
+  const std::vector<Region> regions = find_regions(features);
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    std::vector<std::vector<cv::Point>> boundaries = {corners(regions[i].outer, scale)};
+    for (const ImagePolygon& hole : regions[i].holes) boundaries.push_back(corners(hole, scale));
+    cv::Mat filled = out.clone();
+    cv::fillPoly(filled, boundaries, colour_of(i), cv::LINE_AA, kSubPixelBits);  // even-odd: holes
+    constexpr double kOpacity = 0.35;
+    cv::addWeighted(filled, kOpacity, out, 1 - kOpacity, 0, out);
+    cv::polylines(out, boundaries, true, colour_of(i), 1, cv::LINE_AA, kSubPixelBits);
+    for (const auto& boundary : boundaries)
+      for (const cv::Point& corner : boundary)
+        cv::circle(out, corner, 2 * scale << kSubPixelBits, {255, 255, 255}, 1, cv::LINE_AA,
+                   kSubPixelBits);
+  }
+  return out;
 }
 
 const Model* find_model(const std::vector<Model>& library, int id) {
@@ -131,7 +158,8 @@ std::vector<Picture> feature_pictures(const cv::Mat& grey, const ViewFeatures& f
   return {{"gradient", plain(gradient_image(features))},
           {"first_contour", plain(flag_mask(features, kFirstContour))},
           {"second_contour", plain(flag_mask(features, kContour))},
-          {"vertices", vertex_image(grey, features, scale)}};
+          {"vertices", vertex_image(grey, features, scale)},
+          {"regions", region_image(grey, features, scale)}};
 }
 
 Picture model_picture(const cv::Mat& grey, const Camera& camera, const RecognitionResult& result,

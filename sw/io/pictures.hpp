@@ -13,11 +13,12 @@ namespace trihedron {
 
 /// A picture of one stage of one view, 8-bit colour.
 struct Picture {
-  std::string stage;  ///< gradient, first_contour, second_contour, vertices, models
+  std::string stage;  ///< gradient, first_contour, second_contour, vertices, regions, models
   cv::Mat image;
 };
 
-/// What the hardware put out for one view, stage by stage. `grey` lies under the vertices.
+/// What the hardware put out for one view, stage by stage, and the closed regions in it. `grey`
+/// lies under vertices and regions.
 std::vector<Picture> feature_pictures(const cv::Mat& grey, const ViewFeatures& features);
 
 /// The recognised models over the image, hidden lines removed, a colour and a name each.

@@ -42,7 +42,7 @@ TEST_CASE("recognize --out writes a picture of every stage and view") {
   CHECK(run.exit_code <= 1);
   for (const char* view : {"top", "side", "front"})
     for (const char* stage :
-         {"gradient", "first_contour", "second_contour", "vertices", "models"}) {
+         {"gradient", "first_contour", "second_contour", "vertices", "regions", "models"}) {
       const cv::Mat picture = cv::imread(out + "/" + view + "_" + stage + ".png");
       INFO(view << " " << stage);
       CHECK(picture.size() == cv::Size(900, 600));
