@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "recognition/crossing_error.hpp"
 #include "recognition/paper_positioning.hpp"
 
 namespace trihedron {
@@ -44,6 +45,8 @@ void make_surfaces(const std::array<PlanarView, 3>& planar, const RegionsByRole&
   const CrossingResult crossed = cross_views(planar, regions, trace->error_mm);
   trace->incomplete = crossed.incomplete;
   trace->not_planar = crossed.not_planar;
+  trace->in_pieces = crossed.in_pieces;
+  trace->contradicted = crossed.contradicted;
   trace->surfaces = without_duplicates(crossed.surfaces, table_corner(planar[0]));
   trace->duplicates = static_cast<int>(crossed.surfaces.size() - trace->surfaces.size());
 }

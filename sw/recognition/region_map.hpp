@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "golden/features.hpp"
-
 namespace trihedron {
 
 /// Which region each pixel of a view belongs to.
@@ -15,6 +13,7 @@ struct RegionMap {
 
   int width = 0, height = 0;  ///< px
   int regions = 0;            ///< labels 1..regions, by first pixel in raster order
+  std::vector<int> loose_px;  ///< per region: contour pixels inside that separate nothing
   std::vector<int> labels;    ///< width * height, raster order
 
   int at(int x, int y) const {
@@ -23,11 +22,6 @@ struct RegionMap {
   }
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
 };
-
-/// The contour pixels of a view (1) with the gaps closed: every contour end is joined by a
-/// straight line to the nearest other contour pixel ahead of it, over at most `bridge_px`
-/// missing pixels.
-std::vector<std::uint8_t> bridged_contour(const ViewFeatures& features, int bridge_px);
 
 /// Labels the 4-connected components between the contour pixels. Components below
 /// `min_region_px` dissolve into their surroundings, and so do contour pixels that separate
