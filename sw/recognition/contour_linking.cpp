@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 
 namespace trihedron {
@@ -142,21 +143,21 @@ class Linker {
     }
   }
 
-  /// The nearest contour pixel within bridge_px missing pixels and 60 degrees of straight on.
+  /// The contour pixel within bridge_px missing pixels and 60 degrees of straight on that is
+  /// nearest, distances weighed by 1 / cos^2: the same line going on rather than its neighbour.
   std::optional<Pixel> straight_target(const Path& path, const Path& branch, Vec heading) const {
     const Pixel from = path.back();
     const int reach = bridge_px_ + 1;
     std::optional<Pixel> best;
-    double best_distance = reach + 0.5;
+    double least = std::numeric_limits<double>::infinity();
     for (int y = -reach; y <= reach; ++y) {
       for (int x = -reach; x <= reach; ++x) {
         const Pixel q = {from.x + x, from.y + y};
-        const double distance = std::hypot(x, y);
-        if (distance == 0 || distance >= best_distance || !contour(q)) continue;
-        if (dot({double(x), double(y)}, heading) < 0.5 * distance) continue;
-        if (std::find(branch.begin(), branch.end(), q) != branch.end()) continue;
-        best = q;
-        best_distance = distance;
+        const double distance = std::hypot(x, y), along = dot({double(x), double(y)}, heading);
+        if (distance == 0 || distance > reach + 0.5 || along < 0.5 * distance) continue;
+        if (!contour(q) || std::find(branch.begin(), branch.end(), q) != branch.end()) continue;
+        const double cost = distance * distance * distance / (along * along);
+        if (cost < least) least = cost, best = q;
       }
     }
     return best;

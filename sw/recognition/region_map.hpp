@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "golden/features.hpp"
+
 namespace trihedron {
 
 /// Which region each pixel of a view belongs to.
@@ -16,17 +18,19 @@ struct RegionMap {
   std::vector<int> loose_px;  ///< per region: contour pixels inside that separate nothing
   std::vector<int> labels;    ///< width * height, raster order
 
-  int at(int x, int y) const {
-    return labels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                  static_cast<std::size_t>(x)];
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
   }
+  int at(int x, int y) const { return labels[index(x, y)]; }
   bool inside(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
 };
 
-/// Labels the 4-connected components between the contour pixels. Components below
-/// `min_region_px` dissolve into their surroundings, and so do contour pixels that separate
-/// nothing (dangling lines, the second row of thick contours).
-RegionMap label_regions(const std::vector<std::uint8_t>& contour, int width, int height,
+/// Labels the 4-connected components between the contour pixels (`contour`: 1, raster order, the
+/// size of `features`). Components that are smaller than `min_region_px` or very narrow dissolve
+/// into their surroundings, and so do contour pixels that separate nothing (loose lines, thick
+/// contours): what stays contour runs along the ridge of the gradient.
+RegionMap label_regions(const std::vector<std::uint8_t>& contour, const ViewFeatures& features,
                         int min_region_px);
 
 }  // namespace trihedron

@@ -31,8 +31,8 @@ Region make_region(const std::vector<BoundaryLoop>& loops,
 }  // namespace
 
 std::vector<Region> find_regions(const ViewFeatures& features, const RegionOptions& options) {
-  const RegionMap map = label_regions(linked_contour(features, options.bridge_px), features.width,
-                                      features.height, options.min_region_px);
+  const RegionMap map =
+      label_regions(linked_contour(features, options.bridge_px), features, options.min_region_px);
   std::vector<Eigen::Vector2d> proposals;
   for (const Vertex& v : features.vertices) proposals.emplace_back(v.x, v.y);
   const std::vector<std::vector<BoundaryLoop>> boundaries = trace_boundaries(map, features);
