@@ -2,7 +2,8 @@
 //
 // Stage 1: the gradient's magnitude and the step across the contour.
 //
-//   magnitude = min((|H| + |V| + 2 |D| + 2 |E|) / 512, 64 - 1/scale), |D| + |E| = max(|A|, |B|)
+//   magnitude = min((|H| + |V| + 4 |D| + 4 |E|) / 1024, 64 - 1/scale),
+//               with |D| + |E| = max(|A|, |B|)
 //   step      = neighbour along the gradient: 0 horizontal (2 |gy| < |gx|), 1 vertical
 //               (2 |gx| < |gy|), 2 falling diagonal (gx, gy of one sign), 3 rising diagonal
 //
@@ -11,7 +12,7 @@
 //   slot in, out  see line_window; data_o = {step, magnitude} of the centre pixel
 //   tail_*        the pixels four rows later, for slope
 //
-// Latency 2 rows + 2 columns + 15 clocks, 1 beat per clock. Border: magnitude 0.
+// Latency 2 rows + 2 columns + 14 clocks, 1 beat per clock. Border: magnitude 0.
 module gradient #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -41,9 +42,9 @@ module gradient #(
     illegal_FractionBits_must_be_0_to_6 stop ();
   end
   localparam int MagnitudeBits = 6 + FractionBits;
-  localparam int Shift = 9 - FractionBits;
+  localparam int Shift = 10 - FractionBits;
   localparam int SlopeBits = 8 + FractionBits;
-  localparam int Latency = 13;
+  localparam int Latency = 12;
 
   logic sol, sof, is_real, in_frame, in_frame_late;
   logic [1:0] fault;
@@ -61,6 +62,8 @@ module gradient #(
       .real_i,
       .fault_i,
       .data_i,
+      .side_i(1'b0),
+      .side_o(),
       .window_o(column),
       .valid_o(tail_valid_o),
       .sol_o(sol),
@@ -78,8 +81,8 @@ module gradient #(
       .end_fault_o()
   );
 
-  logic signed [14:0] h, v;
-  logic signed [13:0] a, b;
+  logic signed [15:0] h, v;
+  logic signed [14:0] a, b;
   derivatives i_derivatives (
       .clk_i,
       .valid_i (tail_valid_o),
@@ -90,7 +93,7 @@ module gradient #(
       .b_o(b)
   );
 
-  // Clocks 9-13.
+  // Clocks 8-12.
   logic signed [SlopeBits-1:0] gx, gy;
   slope_rounding #(
       .FractionBits(FractionBits)
@@ -104,27 +107,27 @@ module gradient #(
       .gy_o(gy)
   );
 
-  logic [13:0] abs_h_q, abs_v_q;
-  logic [12:0] abs_a_q, abs_b_q, diagonal_q;
-  logic [14:0] straight_q;
-  logic [15:0] sum_q;
-  logic [15-Shift:0] rounded_q;
+  logic [14:0] abs_h_q, abs_v_q;
+  logic [13:0] abs_a_q, abs_b_q, diagonal_q;
+  logic [15:0] straight_q;
+  logic [16:0] sum_q;
+  logic [16-Shift:0] rounded_q;
   logic [SlopeBits-2:0] ax_q, ay_q;
   logic same_sign_q, same_sign_late_q, horizontal_q, vertical_q;
 
-  function automatic logic [13:0] absolute(input logic signed [14:0] value);
-    absolute = value[14] ? 14'(-value) : value[13:0];
+  function automatic logic [14:0] absolute(input logic signed [15:0] value);
+    absolute = value[15] ? 15'(-value) : value[14:0];
   endfunction
 
   always_ff @(posedge clk_i) begin
     abs_h_q    <= absolute(h);
     abs_v_q    <= absolute(v);
-    abs_a_q    <= 13'(absolute(15'(a)));
-    abs_b_q    <= 13'(absolute(15'(b)));
-    straight_q <= 15'(abs_h_q) + 15'(abs_v_q);
+    abs_a_q    <= 14'(absolute(16'(a)));
+    abs_b_q    <= 14'(absolute(16'(b)));
+    straight_q <= 16'(abs_h_q) + 16'(abs_v_q);
     diagonal_q <= abs_a_q > abs_b_q ? abs_a_q : abs_b_q;
-    sum_q      <= 16'(straight_q) + {2'b0, diagonal_q, 1'b0};
-    rounded_q  <= (16 - Shift)'((sum_q + 16'(1 << (Shift - 1))) >> Shift);
+    sum_q      <= 17'(straight_q) + {1'b0, diagonal_q, 2'b0};
+    rounded_q  <= (17 - Shift)'((sum_q + 17'(1 << (Shift - 1))) >> Shift);
 
     ax_q             <= gx[SlopeBits-1] ? (SlopeBits - 1)'(-gx) : gx[SlopeBits-2:0];
     ay_q             <= gy[SlopeBits-1] ? (SlopeBits - 1)'(-gy) : gy[SlopeBits-2:0];
@@ -136,7 +139,7 @@ module gradient #(
     data_o[MagnitudeBits+:2] <= {!horizontal_q && !vertical_q,
                                  vertical_q || (!horizontal_q && !same_sign_late_q)};
     if (!in_frame_late) data_o[MagnitudeBits-1:0] <= '0;
-    else if (rounded_q[15-Shift]) data_o[MagnitudeBits-1:0] <= '1;
+    else if (|rounded_q[16-Shift:MagnitudeBits]) data_o[MagnitudeBits-1:0] <= '1;
     else data_o[MagnitudeBits-1:0] <= rounded_q[MagnitudeBits-1:0];
   end
 

@@ -6,11 +6,11 @@
 // through). Each beat belongs to one column of one slot; beats of a slot may have gaps. For
 // the beat of column c, row r the window is pixels (c-4 .. c, r-4 .. r), its centre (c-2, r-2).
 //
-//   slot in    valid_i, sol_i (column 0), data_i; sof_i (row is the first of a frame), real_i
+//   slot in    valid_i, sol_i (column 0), data_i, side_i; sof_i (row is the first of a frame), real_i
 //              and fault_i (how the frame before this row ended, 0 = clean) count at sol_i
 //   window_o   the newest Columns columns of the window: pixel (column i, row j) at bit
 //              (5 i + j) Width, oldest first
-//   centre     valid_o, sol_o, eol_o (first, last column), sof_o, real_o, fault_o of its slot;
+//   centre     side_o, valid_o, sol_o, eol_o (first, last column), sof_o, real_o, fault_o of its slot;
 //              inside_o: the whole window lies in one frame (the border rule)
 //   tail       the stream of row r-4, column c: input of a second window below this one
 //   bottom     how the newest row relates to its frame: end_o marks the first beat behind a
@@ -20,6 +20,7 @@
 // of a centre row come out with the first two beats of the next slot; they are border.
 module line_window #(
     parameter int Width      = 8,    // bits per pixel
+    parameter int SideWidth  = 0,    // bits per pixel that only the centre needs
     parameter int Columns    = 5,    // 1 .. 5, for a kernel that keeps its own column sums
     parameter int MaxWidthPx = 1920  // longest row, px
 ) (
@@ -31,7 +32,9 @@ module line_window #(
     input  logic                real_i,
     input  logic [         1:0] fault_i,
     input  logic [   Width-1:0] data_i,
+    input  logic [(SideWidth>0?SideWidth:1)-1:0] side_i,
     output logic [5*Columns*Width-1:0] window_o,
+    output logic [(SideWidth>0?SideWidth:1)-1:0] side_o,
     output logic                valid_o,
     output logic                sol_o,
     output logic                eol_o,
@@ -52,12 +55,14 @@ module line_window #(
     illegal_Width_at_least_1_Columns_1_to_5_MaxWidthPx_5_to_4080 stop ();
   end
   localparam int ColBits = $clog2(MaxWidthPx);
+  localparam int MemoryWidth = 4 * Width + 2 * SideWidth;
 
   // Clock 0: the column's four older pixels are read, oldest in the low bits.
   logic [ColBits-1:0] next_col_q, col, col1_q;
   logic               valid1_q, sol1_q;
   logic [  Width-1:0] data1_q;
   logic [4*Width-1:0] older;
+  logic [MemoryWidth-1:0] memory_in, memory_out;
   // Row attributes {real, sof, fault}, newest row first.
   logic [3:0] row0_q, row1_q, row2_q, row3_q, row4_q, centre_q;
 
@@ -81,16 +86,32 @@ module line_window #(
   end
 
   line_memory #(
-      .Width(4 * Width),
+      .Width(MemoryWidth),
       .Depth(MaxWidthPx)
   ) i_rows (
       .clk_i,
       .wen_i  (valid1_q),
       .waddr_i(col1_q),
-      .wdata_i({data1_q, older[4*Width-1:Width]}),
+      .wdata_i(memory_in),
       .raddr_i(col),
-      .rdata_o(older)
+      .rdata_o(memory_out)
   );
+  assign older = memory_out[4*Width-1:0];
+  assign memory_in[4*Width-1:0] = {data1_q, older[4*Width-1:Width]};
+
+  // Side data wait two rows in the memory and two columns in registers.
+  if (SideWidth > 0) begin : gen_side
+    logic [SideWidth-1:0] side1_q, side2_q, side3_q;
+    assign memory_in[MemoryWidth-1:4*Width] = {side1_q, memory_out[MemoryWidth-1-:SideWidth]};
+    always_ff @(posedge clk_i) begin
+      side1_q <= side_i;
+      if (valid1_q) {side_o, side3_q, side2_q} <= {side3_q, side2_q, memory_out[4*Width+:SideWidth]};
+    end
+  end else begin : gen_no_side
+    logic unused;
+    assign unused = side_i;
+    assign side_o = 1'b0;
+  end
 
   // Clock 1: the new column joins the window. Rows r-4 .. r are one frame's if all are real and
   // none but the oldest is a first row.

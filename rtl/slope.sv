@@ -5,12 +5,12 @@
 // Two more rows of latency through the first and the second contour each would cost 88 bits of
 // line memory per column for gx and gy; four rows of pixels cost 32 and a second adder tree.
 //
-//   gx = (H + 4 A) / 512, gy = (V + 4 B) / 512   see derivatives, slope_rounding
+//   gx = (H + 8 A) / 1024, gy = (V + 8 B) / 1024   see derivatives, slope_rounding
 //
 //   slot in          the tail of gradient's window
 //   valid_o, data_o  {gy, gx} of the real pixels of every frame, in raster order
 //
-// Latency 2 rows + 2 columns + 13 clocks, 1 beat per clock. Border: gx = gy = 0.
+// Latency 2 rows + 2 columns + 12 clocks, 1 beat per clock. Border: gx = gy = 0.
 module slope #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -26,7 +26,7 @@ module slope #(
     output logic                       valid_o,
     output logic [2*FractionBits+15:0] data_o
 );
-  localparam int Latency = 11;
+  localparam int Latency = 10;
 
   logic valid, is_real, in_frame, valid_late, in_frame_late;
   logic [39:0] column;
@@ -43,6 +43,8 @@ module slope #(
       .real_i,
       .fault_i,
       .data_i,
+      .side_i(1'b0),
+      .side_o(),
       .window_o(column),
       .valid_o(valid),
       .sol_o(),
@@ -60,8 +62,8 @@ module slope #(
       .end_fault_o()
   );
 
-  logic signed [14:0] h, v;
-  logic signed [13:0] a, b;
+  logic signed [15:0] h, v;
+  logic signed [14:0] a, b;
   derivatives i_derivatives (
       .clk_i,
       .valid_i(valid),

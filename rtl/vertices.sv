@@ -35,6 +35,8 @@ module vertices #(
       .real_i,
       .fault_i,
       .data_i,
+      .side_i(1'b0),
+      .side_o(),
       .window_o(window),
       .valid_o(valid),
       .sol_o(),

@@ -32,7 +32,7 @@ module view_pipeline #(
     input  logic [            19:0] flush_timeout_i,
     input  logic [            15:0] vertex_limit_i,
     input  logic [FractionBits+5:0] noise_floor_i,
-    input  logic [             7:0] relative_weight_i,
+    input  logic [             4:0] mean_limit_i,
     input  logic [FractionBits+10:0] support_i,
     input  logic [             7:0] min_strength_i,
     output logic [             7:0] event_o,
@@ -57,17 +57,18 @@ module view_pipeline #(
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int RingBits = $clog2(MaxWidthPx + 16);
   localparam int MagnitudeBits = FractionBits + 6;
-  localparam int SettingsBits = 16 + MagnitudeBits + 8 + (MagnitudeBits + 5) + 8;
+  localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + 8;
 
   // Settings of the frames in flight.
   logic [SettingsBits-1:0] settings, settings_q;
   logic settings_changed_q, load;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor;
-  logic [7:0] relative_weight, min_strength;
+  logic [4:0] mean_limit;
+  logic [7:0] min_strength;
   logic [MagnitudeBits+4:0] support;
-  assign settings = {vertex_limit_i, noise_floor_i, relative_weight_i, support_i, min_strength_i};
-  assign {limit, noise_floor, relative_weight, support, min_strength} = settings_q;
+  assign settings = {vertex_limit_i, noise_floor_i, mean_limit_i, support_i, min_strength_i};
+  assign {limit, noise_floor, mean_limit, support, min_strength} = settings_q;
   always_ff @(posedge clk_i) begin
     settings_changed_q <= !hold_i && settings != settings_q;
     if (load && !hold_i) settings_q <= settings;
@@ -211,7 +212,7 @@ module view_pipeline #(
       .clk_i,
       .rst_ni,
       .noise_floor_i(noise_floor),
-      .relative_weight_i(relative_weight),
+      .mean_limit_i(mean_limit),
       .valid_i(gradient_valid),
       .sol_i(gradient_sol),
       .sof_i(gradient_sof),
