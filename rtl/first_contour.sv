@@ -67,7 +67,6 @@ module first_contour #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .tail_data_o(),
       .end_o(),
       .end_fault_o()
   );

@@ -49,7 +49,6 @@ module vertices #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .tail_data_o(),
       .end_o(is_end),
       .end_fault_o(end_fault)
   );

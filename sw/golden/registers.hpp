@@ -72,7 +72,7 @@ constexpr Field kMeanLimitMean{kMeanLimit, 0, 5, 0x15};  ///< 1/32 of the centre
 
 /// Second contour: smallest sum of the window's first contour magnitudes.
 constexpr std::uint32_t kSupport = 0x028;
-constexpr Field kSupportSum{kSupport, 0, 14, 0x40};  ///< 1/8 grey level per px
+constexpr Field kSupportSum{kSupport, 0, 14, 0x90};  ///< 1/8 grey level per px
 
 /// Vertices: smallest curvature value of a vertex.
 constexpr std::uint32_t kMinStrength = 0x02c;
