@@ -6,10 +6,10 @@
 
 #include "io/library.hpp"
 #include "io/scene.hpp"
-#include "io/scratch.hpp"
 #include "recognition/shapes.hpp"
 #include "recognition/symmetry.hpp"
 #include "render/variants.hpp"
+#include "scratch.hpp"
 
 using namespace trihedron;
 using namespace trihedron::render;
