@@ -154,7 +154,7 @@ module trihedron_top #(
         .flush_timeout_i(settings[trihedron_registers::FlushTimeoutClocksBit+:20]),
         .vertex_limit_i(settings[trihedron_registers::VertexLimitVerticesBit+:16]),
         .noise_floor_i(settings[trihedron_registers::NoiseFloorMagnitudeBit+:FractionBits+6]),
-        .mean_limit_i(settings[trihedron_registers::MeanLimitMeanBit+:5]),
+        .relative_weight_i(settings[trihedron_registers::RelativeWeightWeightBit+:8]),
         .support_i(settings[trihedron_registers::SupportSumBit+:FractionBits+11]),
         .min_strength_i(settings[trihedron_registers::MinStrengthStrengthBit+:8]),
         .event_o(events),

@@ -35,8 +35,6 @@ module vertices #(
       .real_i,
       .fault_i,
       .data_i,
-      .side_i(1'b0),
-      .side_o(),
       .window_o(window),
       .valid_o(valid),
       .sol_o(),
@@ -49,6 +47,7 @@ module vertices #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
+      .tail_data_o(),
       .end_o(is_end),
       .end_fault_o(end_fault)
   );

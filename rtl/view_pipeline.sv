@@ -2,8 +2,8 @@
 //
 // One camera's pipeline: pixels in, contour stream and vertex records out.
 //
-//   frame_guard -> row_slots -> gradient -> first_contour -> ridge -> second_contour -> vertices
-//                                   \-> slope ---------------------> contour_packer       \-> vertex_packer
+//   frame_guard -> row_slots -> gradient -> first_contour -> second_contour -> vertices
+//                                   \-> slope ----------------> contour_packer     \-> vertex_packer
 //
 // Beats flow through the stages without ever stalling: a pixel enters only when both packers
 // have room for everything that is under way.
@@ -16,7 +16,7 @@
 //                      of its first line is accepted, unless hold_i
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 8 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 6 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
@@ -32,7 +32,7 @@ module view_pipeline #(
     input  logic [            19:0] flush_timeout_i,
     input  logic [            15:0] vertex_limit_i,
     input  logic [FractionBits+5:0] noise_floor_i,
-    input  logic [             4:0] mean_limit_i,
+    input  logic [             7:0] relative_weight_i,
     input  logic [FractionBits+10:0] support_i,
     input  logic [             7:0] min_strength_i,
     output logic [             7:0] event_o,
@@ -57,18 +57,17 @@ module view_pipeline #(
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int RingBits = $clog2(MaxWidthPx + 16);
   localparam int MagnitudeBits = FractionBits + 6;
-  localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + 8;
+  localparam int SettingsBits = 16 + MagnitudeBits + 8 + (MagnitudeBits + 5) + 8;
 
   // Settings of the frames in flight.
   logic [SettingsBits-1:0] settings, settings_q;
   logic settings_changed_q, load;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor;
-  logic [4:0] mean_limit;
-  logic [7:0] min_strength;
+  logic [7:0] relative_weight, min_strength;
   logic [MagnitudeBits+4:0] support;
-  assign settings = {vertex_limit_i, noise_floor_i, mean_limit_i, support_i, min_strength_i};
-  assign {limit, noise_floor, mean_limit, support, min_strength} = settings_q;
+  assign settings = {vertex_limit_i, noise_floor_i, relative_weight_i, support_i, min_strength_i};
+  assign {limit, noise_floor, relative_weight, support, min_strength} = settings_q;
   always_ff @(posedge clk_i) begin
     settings_changed_q <= !hold_i && settings != settings_q;
     if (load && !hold_i) settings_q <= settings;
@@ -157,7 +156,7 @@ module view_pipeline #(
   logic tail_valid, tail_sol, tail_sof, tail_real;
   logic [1:0] gradient_fault, tail_fault;
   logic [MagnitudeBits+1:0] gradient_data;
-  logic [39:0] tail_column;
+  logic [7:0] tail_data;
   gradient #(
       .MaxWidthPx  (MaxWidthPx),
       .FractionBits(FractionBits)
@@ -181,11 +180,11 @@ module view_pipeline #(
       .tail_sof_o(tail_sof),
       .tail_real_o(tail_real),
       .tail_fault_o(tail_fault),
-      .tail_column_o(tail_column)
+      .tail_data_o(tail_data)
   );
 
   logic slope_valid;
-  logic [3*FractionBits+21:0] slope_data;
+  logic [2*FractionBits+15:0] slope_data;
   slope #(
       .MaxWidthPx  (MaxWidthPx),
       .FractionBits(FractionBits)
@@ -197,7 +196,7 @@ module view_pipeline #(
       .sof_i(tail_sof),
       .real_i(tail_real),
       .fault_i(tail_fault),
-      .column_i(tail_column),
+      .data_i(tail_data),
       .valid_o(slope_valid),
       .data_o(slope_data)
   );
@@ -212,7 +211,7 @@ module view_pipeline #(
       .clk_i,
       .rst_ni,
       .noise_floor_i(noise_floor),
-      .mean_limit_i(mean_limit),
+      .relative_weight_i(relative_weight),
       .valid_i(gradient_valid),
       .sol_i(gradient_sol),
       .sof_i(gradient_sof),
@@ -227,44 +226,22 @@ module view_pipeline #(
       .data_o(first_data)
   );
 
-  logic ridge_valid, ridge_sol, ridge_sof, ridge_real;
-  logic [1:0] ridge_fault;
-  logic [2:0] ridge_data;
-  ridge #(
+  logic second_valid, second_sol, second_eol, second_sof, second_real;
+  logic [1:0] second_fault;
+  logic [MagnitudeBits+1:0] second_data;
+  second_contour #(
       .MaxWidthPx   (MaxWidthPx),
       .MagnitudeBits(MagnitudeBits)
-  ) i_ridge (
+  ) i_second_contour (
       .clk_i,
       .rst_ni,
       .support_i(support),
-      .noise_floor_i(noise_floor),
       .valid_i(first_valid),
       .sol_i(first_sol),
       .sof_i(first_sof),
       .real_i(first_real),
       .fault_i(first_fault),
       .data_i(first_data),
-      .valid_o(ridge_valid),
-      .sol_o(ridge_sol),
-      .sof_o(ridge_sof),
-      .real_o(ridge_real),
-      .fault_o(ridge_fault),
-      .data_o(ridge_data)
-  );
-
-  logic second_valid, second_sol, second_eol, second_sof, second_real;
-  logic [1:0] second_fault, second_data;
-  second_contour #(
-      .MaxWidthPx(MaxWidthPx)
-  ) i_second_contour (
-      .clk_i,
-      .rst_ni,
-      .valid_i(ridge_valid),
-      .sol_i(ridge_sol),
-      .sof_i(ridge_sof),
-      .real_i(ridge_real),
-      .fault_i(ridge_fault),
-      .data_i(ridge_data),
       .valid_o(second_valid),
       .sol_o(second_sol),
       .eol_o(second_eol),
@@ -310,7 +287,7 @@ module view_pipeline #(
       .sof_i(second_sof),
       .real_i(second_real),
       .fault_i(second_fault),
-      .data_i(second_data[0]),
+      .data_i(second_data[MagnitudeBits]),
       .vertex_valid_o(vertex_valid),
       .vertex_x_o(vertex_x),
       .vertex_y_o(vertex_y),

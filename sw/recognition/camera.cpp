@@ -100,10 +100,11 @@ Eigen::Matrix<double, 2, 3> Camera::projection_jacobian(const Vector3d& x_in_wor
     const Vector3d x = camera_from_world * x_in_world;
     const Vector2d p = x.head<2>() / x.z();
     in_camera << 1 / x.z(), 0, -p.x() / x.z(), 0, 1 / x.z(), -p.y() / x.z();
-    if (has_distortion(*this)) in_camera = distort(distortion, p).jacobian * in_camera;
-    in_camera = K.topLeftCorner<2, 2>().triangularView<Eigen::Upper>() * in_camera;
+    if (has_distortion(*this)) in_camera = distort(distortion, p).jacobian.lazyProduct(in_camera).eval();
+    in_camera.row(0) = K(0, 0) * in_camera.row(0) + K(0, 1) * in_camera.row(1);
+    in_camera.row(1) *= K(1, 1);
   }
-  return in_camera * camera_from_world.R;
+  return in_camera.lazyProduct(camera_from_world.R);
 }
 
 double Camera::px_per_mm_at(const Vector3d& x_in_world) const {

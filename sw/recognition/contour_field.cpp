@@ -16,12 +16,11 @@ constexpr double kMedianOfNormal = 0.6745;
 /// Half width of the bell that weights a profile, px: covers a blurred edge's gradient (the
 /// derivative's own 2 px and a blur of about 1 px) and leaves out lines 4 px away.
 constexpr double kBellPx = 3.0;
-constexpr double kPi = 3.14159265358979323846;
 
+/// Smooth, symmetric, 0 from kBellPx on.
 double bell(double u) {
-  if (std::abs(u) >= kBellPx) return 0;
-  const double c = std::cos(0.5 * kPi / kBellPx * u);
-  return c * c;
+  const double v = 1 - u * u * (1 / (kBellPx * kBellPx));
+  return v > 0 ? v * v : 0;
 }
 
 }  // namespace
@@ -44,6 +43,7 @@ ContourField::ContourField(const ViewFeatures& features)
   noise_ = std::max(noise_, kRoundingNoise * kGradientScale);
   build_bins(features);
   build_spread();
+  find_line_pixels();
 }
 
 int ContourField::bin_of(double gx, double gy) {
@@ -78,6 +78,31 @@ void ContourField::build_bins(const ViewFeatures& features) {
   }
 }
 
+void ContourField::find_line_pixels() {
+  constexpr int kMargin = 8;
+  // Steps along the contour at which it must still be there, px: a speck of noise is shorter.
+  constexpr float kSteps[] = {3, 6};
+  for (int y = kMargin; y < height_ - kMargin; ++y) {
+    for (int x = kMargin; x < width_ - kMargin; ++x) {
+      if (!directions(x, y)) continue;
+      const ContourBeat& beat = features_->at(x, y);
+      const Eigen::Vector2f normal =
+          Eigen::Vector2f(static_cast<float>(beat.gx), static_cast<float>(beat.gy)).normalized();
+      const Eigen::Vector2f at(static_cast<float>(x), static_cast<float>(y));
+      bool linked[2] = {true, true};
+      for (const float step : kSteps) {
+        for (int side = 0; side < 2; ++side) {
+          const Eigen::Vector2f p =
+              at + (side ? step : -step) * Eigen::Vector2f(-normal.y(), normal.x());
+          const Eigen::Vector2d q = p.cast<double>();
+          linked[side] &= !std::isnan(nearest_contour(q, normal.cast<double>(), 1.8));
+        }
+      }
+      if (linked[0] || linked[1]) line_pixels_.push_back({at, normal});
+    }
+  }
+}
+
 void ContourField::build_spread() {
   const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   std::vector<std::uint8_t> own(cells, 0);
@@ -108,12 +133,15 @@ void ContourField::build_spread() {
     for (std::uint8_t mask : out) {
       for (int bin = 0; bin < kBins; ++bin) density_[level][bin] += (mask >> bin) & 1;
     }
+    occupied_area_px_ = static_cast<double>(kCellPx * kCellPx) *
+                        static_cast<double>(out.size() - std::count(out.begin(), out.end(), 0));
     for (double& d : density_[level]) d /= static_cast<double>(std::max<std::size_t>(1, cells));
   }
 }
 
-double ContourField::nearest_contour(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
-                                     double reach_px) const {
+template <typename Visit>
+void ContourField::walk(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
+                        Visit visit) const {
   const int bin = bin_of(normal.x(), normal.y());
   const auto accepted = static_cast<std::uint8_t>((1U << bin) | (1U << ((bin + 1) % kBins)) |
                                                   (1U << ((bin + kBins - 1) % kBins)));
@@ -133,9 +161,27 @@ double ContourField::nearest_contour(const Eigen::Vector2d& x, const Eigen::Vect
     const std::uint8_t beside = directions(px + !along_x, py + along_x) & accepted;
     if (!here && !beside) continue;
     const Eigen::Vector2d hit(here ? px : px + !along_x, here ? py : py + along_x);
-    return normal.dot(hit - x);
+    if (!visit(normal.dot(hit - x))) return;
   }
-  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double ContourField::nearest_contour(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
+                                     double reach_px) const {
+  double nearest = std::numeric_limits<double>::quiet_NaN();
+  walk(x, normal, reach_px, [&](double d) {
+    nearest = d;
+    return false;
+  });
+  return nearest;
+}
+
+void ContourField::contours_across(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
+                                   double reach_px, std::vector<double>& out) const {
+  out.clear();
+  walk(x, normal, reach_px, [&](double d) {
+    out.push_back(d);
+    return true;
+  });
 }
 
 Eigen::Vector2d ContourField::gradient(const Eigen::Vector2d& x) const {
@@ -148,9 +194,19 @@ Eigen::Vector2d ContourField::gradient(const Eigen::Vector2d& x) const {
           w00 * a[0].gy + w10 * a[1].gy + w01 * b[0].gy + w11 * b[1].gy};
 }
 
+double ContourField::step(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
+  double sum = 0, squares = 0;
+  for (int u = -2; u <= 2; ++u) {
+    const double w = bell(u);
+    sum += w * normal.dot(gradient(x + u * normal));
+    squares += w * w;
+  }
+  return sum / (noise_ * std::sqrt(squares));
+}
+
 EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
   constexpr int kReach = 5;
-  constexpr int kRounds = 4;
+  constexpr int kRounds = 3;
   double g[2 * kReach + 1];
   for (int i = 0; i <= 2 * kReach; ++i) g[i] = normal.dot(gradient(x + (i - kReach) * normal));
   EdgeProfile out;

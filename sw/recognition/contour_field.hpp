@@ -37,6 +37,9 @@ class ContourField {
   /// Share of the spread map's cells, at `level`, that hold the direction bin.
   double density(int level, int bin) const { return density_[level][bin]; }
 
+  /// Area within about 16 px of some contour, px^2: where things are.
+  double occupied_area_px() const { return occupied_area_px_; }
+
   bool inside(const Eigen::Vector2d& x, double margin_px) const {
     return x.x() >= margin_px && x.y() >= margin_px && x.x() <= width_ - 1 - margin_px &&
            x.y() <= height_ - 1 - margin_px;
@@ -54,24 +57,45 @@ class ContourField {
   /// about 30 degrees: its distance in px along the normal, or nothing (NaN).
   double nearest_contour(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
                          double reach_px) const;
+  /// All contours along `normal` within `reach_px` whose direction agrees within about 30
+  /// degrees: their distances in px, nearest first, into `out`.
+  void contours_across(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
+                       std::vector<double>& out) const;
   /// The edge within about 1.5 px of `x` across `normal`, to a small part of a pixel. The point
   /// must lie kProfilePx inside the image.
   EdgeProfile profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
+  /// The grey step across `normal` at `x` itself, in standard deviations of image noise, signed.
+  double step(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
   /// Gradient at `x`, between the pixels, image units.
   Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
 
   static constexpr double kProfilePx = 6;
+  /// A contour pixel that continues on both sides along its direction: part of a line, not a
+  /// speck of noise.
+  struct LinePixel {
+    Eigen::Vector2f x;       ///< px
+    Eigen::Vector2f normal;  ///< unit, along the gradient
+  };
+  /// All of them, in raster order.
+  const std::vector<LinePixel>& line_pixels() const { return line_pixels_; }
+
   /// The bin of a gradient direction.
   static int bin_of(double gx, double gy);
 
  private:
+  template <typename Visit>
+  void walk(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
+            Visit visit) const;
   void build_bins(const ViewFeatures& features);
   void build_spread();
+  void find_line_pixels();
 
   const ViewFeatures* features_;
   int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
   double noise_ = 0;
+  double occupied_area_px_ = 0;
   std::vector<std::uint8_t> bins_;
+  std::vector<LinePixel> line_pixels_;
   std::vector<std::uint8_t> spread_[kLevels];
   double density_[kLevels][kBins] = {};
 };

@@ -36,7 +36,7 @@ bool is_crowded(const Eigen::Vector2d& x, std::size_t own, const std::vector<Vis
 
 std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
                                    const std::vector<VisibleEdge>& edges, double step_px,
-                                   double end_px) {
+                                   double end_px, double outside_px) {
   std::vector<EdgePoint> out;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const VisibleEdge& edge = edges[i];
@@ -52,7 +52,7 @@ std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
       p.x_in_world = edge.x0_in_world + s * (edge.x1_in_world - edge.x0_in_world);
       p.x = view.camera->project(p.x_in_world);
       p.normal = edge.normal;
-      if (!view.field->inside(p.x, ContourField::kProfilePx)) continue;
+      if (!view.field->inside(p.x, ContourField::kProfilePx - outside_px)) continue;
       p.crowded = is_crowded(p.x, i, edges);
       out.push_back(p);
     }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recognition/recognize.hpp"
 
+#include <chrono>
+#include <utility>
+
 #include "golden/error.hpp"
+#include "recognition/explanation.hpp"
 #include "recognition/paper.hpp"
 #include "recognition/pose_search.hpp"
 #include "recognition/view_check.hpp"
@@ -15,6 +19,12 @@ RecognitionResult recognize_full(const std::vector<View>& views,
   const PoseSearch search = search_poses(views, library, index);
   RecognitionResult result;
   result.stages = search.stages;
+  const auto start = std::chrono::steady_clock::now();
+  Explanation explanation = explain(views, library, search.hypotheses);
+  result.objects = std::move(explanation.objects);
+  result.rejections = std::move(explanation.rejections);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  result.stages.push_back({"poses", static_cast<int>(result.objects.size()), seconds.count()});
   return result;
 }
 

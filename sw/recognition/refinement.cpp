@@ -63,8 +63,8 @@ Vector6d solve(const std::vector<Residual>& residuals) {
   Vector6d right = Vector6d::Zero();
   for (const Residual& r : residuals) {
     if (r.weight == 0) continue;
-    normal.noalias() += r.weight * r.jacobian.transpose() * r.jacobian;
-    right.noalias() += r.weight * r.value * r.jacobian.transpose();
+    normal += (r.weight * r.jacobian.transpose()).lazyProduct(r.jacobian);
+    right += r.weight * r.value * r.jacobian.transpose();
   }
   return normal.ldlt().solve(right);
 }
@@ -84,15 +84,24 @@ std::vector<EdgePoint> all_points(const std::vector<FieldView>& views,
 
 Eigen::Matrix<double, 1, 6> line_jacobian(const FieldView& view, const EdgePoint& p,
                                           const Eigen::Vector3d& origin) {
-  return p.normal.transpose() * motion_jacobian(*view.camera, p.x_in_world, origin);
+  const auto image = view.camera->projection_jacobian(p.x_in_world);
+  const Eigen::Vector3d along = image.transpose().lazyProduct(p.normal);
+  Eigen::Matrix<double, 1, 6> out;
+  out << (p.x_in_world - origin).cross(along).transpose(), along.transpose();
+  return out;
 }
 
 std::vector<Residual> contour_residuals(const std::vector<FieldView>& views,
                                         const std::vector<EdgePoint>& points,
-                                        const Eigen::Vector3d& origin, double reach_px) {
+                                        const Eigen::Vector3d& origin, double reach_mm) {
   std::vector<Residual> out;
+  out.reserve(points.size());
+  std::vector<double> reach_px;
+  for (const FieldView& view : views) {
+    reach_px.push_back(std::max(kNarrowPx, reach_mm * view.camera->px_per_mm_at(origin)));
+  }
   for (const EdgePoint& p : points) {
-    const double d = views[p.view].field->nearest_contour(p.x, p.normal, reach_px);
+    const double d = views[p.view].field->nearest_contour(p.x, p.normal, reach_px[p.view]);
     if (std::isnan(d)) continue;
     Residual r;
     r.value = d;
@@ -103,17 +112,23 @@ std::vector<Residual> contour_residuals(const std::vector<FieldView>& views,
   return out;
 }
 
+double exact_sigma(double noise_px, bool crowded) {
+  const double model_px = crowded ? kCrowdedPx : kModelPx;
+  return std::sqrt(noise_px * noise_px + model_px * model_px);
+}
+
 std::vector<Residual> exact_residuals(const std::vector<FieldView>& views,
                                       const std::vector<EdgePoint>& points,
                                       const Eigen::Vector3d& origin) {
   std::vector<Residual> out;
+  out.reserve(points.size());
   for (const EdgePoint& p : points) {
     const EdgeProfile profile = views[p.view].field->profile(p.x, p.normal);
     if (std::abs(profile.height) < kClearHeight * profile.sigma_height) continue;
     if (std::abs(profile.offset_px) >= 1.99) continue;  // the bell ran into its stop
     Residual r;
     r.value = profile.offset_px;
-    r.sigma = std::hypot(profile.sigma_px, p.crowded ? kCrowdedPx : kModelPx);
+    r.sigma = exact_sigma(profile.sigma_px, p.crowded);
     r.jacobian = line_jacobian(views[p.view], p, origin);
     r.group = p.view * 1024 + p.piece;
     out.push_back(r);
@@ -129,7 +144,7 @@ Matrix6d covariance(const std::vector<Residual>& residuals, double step_px) {
   double chi2 = 0, weights = 0;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     const Residual& r = residuals[i];
-    normal += r.weight * r.jacobian.transpose() * r.jacobian;
+    normal += (r.weight * r.jacobian.transpose()).lazyProduct(r.jacobian);
     piece += r.weight * r.value * r.jacobian.transpose();
     chi2 += r.weight * r.value * r.value;
     weights += r.weight * r.sigma * r.sigma;
@@ -179,16 +194,14 @@ Eigen::Matrix<double, 2, 6> motion_jacobian(const Camera& camera, const Eigen::V
 
 RefinedPose refine(const std::vector<FieldView>& views, std::vector<PlacedModel> objects, int index,
                    const RefinementOptions& options) {
-  constexpr double kCoarseStepPx = 6, kExactStepPx = 2, kEndPx = 4;
+  constexpr double kCoarseStepPx = 8, kExactStepPx = 4, kEndPx = 4;
   Transform& pose = objects[index].world_from_model;
   RefinedPose out;
-  for (double reach : options.reaches_px) {
-    for (int round = 0; round < options.rounds_per_reach; ++round) {
-      const auto points = all_points(views, objects, index, kCoarseStepPx, 2);
-      auto residuals = contour_residuals(views, points, pose.t, reach);
-      weigh(residuals);
-      pose = moved(pose, solve(residuals));
-    }
+  for (double reach_mm : options.reaches_mm) {
+    const auto points = all_points(views, objects, index, kCoarseStepPx, 2);
+    auto residuals = contour_residuals(views, points, pose.t, reach_mm);
+    weigh(residuals);
+    pose = moved(pose, solve(residuals));
   }
   std::vector<Residual> residuals;
   for (int round = 0; round < options.exact_rounds; ++round) {

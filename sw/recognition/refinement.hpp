@@ -39,18 +39,22 @@ struct EdgePoint {
 };
 
 /// Points on visible pieces `step_px` apart, `end_px` away from the pieces' ends (where other
-/// lines meet them) and inside the image by the profile's reach.
+/// lines meet them) and inside the image by the profile's reach, or at most `outside_px` outside
+/// that.
 std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
                                    const std::vector<VisibleEdge>& edges, double step_px,
-                                   double end_px);
+                                   double end_px, double outside_px = 0);
 
 struct RefinementOptions {
-  /// How far contours are searched for across a predicted edge, px, one search after another.
-  std::vector<double> reaches_px = {24, 12, 6, 3};
-  int rounds_per_reach = 2;
+  /// How far contours are searched for across a predicted edge, mm at the object, one search
+  /// after another, and at least kNarrowPx.
+  std::vector<double> reaches_mm = {10, 10, 5, 5, 2.5, 2.5, 1, 1};
   /// Rounds on the gradient profiles, the exact positions.
   int exact_rounds = 3;
 };
+
+/// Narrowest search for contours, px: less than this the thinning to whole pixels disturbs.
+inline constexpr double kNarrowPx = 3;
 
 struct RefinedPose {
   Transform world_from_model;

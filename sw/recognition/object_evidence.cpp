@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/object_evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trihedron {
+namespace {
+
+/// A clear edge: its height in standard deviations of image noise.
+constexpr double kClearHeight = 5.0;
+/// Exact positions agree within this, px: the pose's error and the model's, three deviations.
+constexpr double kExactPx = 1.0;
+/// Contour pixels agree within this, px: thinning to whole pixels adds up to 0.7.
+constexpr double kContourPx = 1.8;
+/// Two lines nearer than about this share one contour, px.
+constexpr double kMergedPx = 3.5;
+/// Contours within this of a predicted line belong to it, px.
+constexpr double kExplainedPx = 3.0;
+
+/// Whether a predicted line with about this normal passes x.
+bool explained(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double within_px,
+               const std::vector<VisibleEdge>& lines) {
+  constexpr double kSameDirection = 0.8;  // cosine, about 37 degrees
+  for (const VisibleEdge& line : lines) {
+    if (std::abs(line.normal.dot(normal)) < kSameDirection) continue;
+    if (std::abs(line.normal.dot(x - line.x0)) > within_px) continue;
+    const double along = (line.x1 - line.x0).dot(x - line.x0) / std::max(line.length_px, 1e-9);
+    if (along > -within_px && along < line.length_px + within_px) return true;
+  }
+  return false;
+}
+
+enum class Finding { kFound, kDisplaced, kFlat, kOutside };
+
+/// The mean grey step along the points of a piece that show no contour, against places beside.
+struct FaintStep {
+  double sum = 0;
+  int n = 0;
+
+  void add(const ContourField& field, const EdgePoint& p) {
+    constexpr double kBesidePx = 7;
+    const Eigen::Vector2d beside = kBesidePx * p.normal;
+    if (!field.inside(p.x, ContourField::kProfilePx + kBesidePx)) return;
+    sum += field.step(p.x, p.normal) -
+           0.5 * (field.step(p.x + beside, p.normal) + field.step(p.x - beside, p.normal));
+    ++n;
+  }
+  /// Whether there is a step that neither noise (four deviations) nor a smooth shading makes.
+  bool clear() const {
+    constexpr double kDeviations = 4, kLeast = 0.5;
+    const double deviation = std::sqrt(1.5 * n);  // of a sum of n differences of unit noise
+    return std::abs(sum) > kDeviations * deviation && std::abs(sum) > kLeast * n;
+  }
+};
+
+struct Collector {
+  const FieldView& view;
+  const std::vector<VisibleEdge>& lines;  // of all objects
+  double least_px, reach_px;              // displacements that count
+  std::vector<double> hits;
+
+  Finding look(const EdgePoint& p, double& displacement) {
+    if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, displacement);
+    const EdgeProfile profile = view.field->profile(p.x, p.normal);
+    const bool clear = std::abs(profile.height) > kClearHeight * profile.sigma_height;
+    if (clear && std::abs(profile.offset_px) < kExactPx) return Finding::kFound;
+    view.field->contours_across(p.x, p.normal, reach_px, hits);
+    const double tolerance = p.crowded ? kMergedPx : kContourPx;
+    if (!hits.empty() && std::abs(hits[0]) < tolerance) {
+      return Finding::kFound;
+    }
+    return look_beside(p, displacement);
+  }
+
+  Finding look_beside(const EdgePoint& p, double& displacement) {
+    view.field->contours_across(p.x, p.normal, reach_px, hits);
+    for (double d : hits) {
+      if (std::abs(d) < least_px || explained(p.x + d * p.normal, p.normal, kExplainedPx, lines))
+        continue;
+      displacement = d;
+      return Finding::kDisplaced;
+    }
+    return view.field->inside(p.x, ContourField::kProfilePx) ? Finding::kFlat : Finding::kOutside;
+  }
+
+  /// Whether the contour of a found piece runs straight on beyond its end (towards `out`).
+  bool runs_on(const Eigen::Vector2d& end, const Eigen::Vector2d& out,
+               const Eigen::Vector2d& normal) {
+    constexpr double kFirstPx = 4, kLastPx = 12;
+    int on = 0, asked = 0;
+    for (double s = kFirstPx; s <= kLastPx; s += 2) {
+      const Eigen::Vector2d x = end + s * out;
+      if (!view.field->inside(x, ContourField::kProfilePx)) return false;
+      if (explained(x, normal, kExplainedPx, lines)) return false;
+      ++asked;
+      on += !std::isnan(view.field->nearest_contour(x, normal, kContourPx));
+    }
+    return on >= asked - 1;
+  }
+};
+
+double distance_to(const Eigen::Vector2d& x, const VisibleEdge& line) {
+  const Eigen::Vector2d along = line.x1 - line.x0;
+  const double t = along.dot(x - line.x0) / std::max(along.squaredNorm(), 1e-12);
+  return (x - line.x0 - std::clamp(t, 0.0, 1.0) * along).norm();
+}
+
+/// Contour lines within the surfaces of the object that are not predicted.
+void collect_foreign(const FieldView& view, const std::vector<PlacedModel>& objects, int index,
+                     const std::vector<VisibleEdge>& lines, double reach_px, ObjectEvidence& out) {
+  constexpr double kClearPx = 5;            // lines nearer than this to a pixel may explain it
+  constexpr double kParallelCosine = 0.99;  // 8 degrees, a pixel's direction is that uncertain
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = -low;
+  for (const VisibleEdge& line : lines) {
+    if (line.object != index) continue;
+    low = low.cwiseMin(line.x0).cwiseMin(line.x1);
+    high = high.cwiseMax(line.x0).cwiseMax(line.x1);
+  }
+  const SurfaceMap map = surface_map(*view.camera, objects);
+  for (const ContourField::LinePixel& pixel : view.field->line_pixels()) {
+    const Eigen::Vector2d x = pixel.x.cast<double>();
+    if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+    const std::int32_t id = map.at(x.x(), x.y());
+    if (id < 0 || SurfaceMap::object_of(id) != index) continue;
+    bool near = false, parallel = false;
+    for (const VisibleEdge& line : lines) {
+      const double d = distance_to(x, line);
+      near |= d < kClearPx;
+      parallel |= line.object == index && d < reach_px &&
+                  std::abs(line.normal.dot(pixel.normal.cast<double>())) > kParallelCosine;
+    }
+    if (near) continue;
+    out.foreign_px += 1;
+    out.parallel_px += parallel;
+  }
+}
+
+/// A point beside which an edge was found.
+struct Beside {
+  double position = 0;  // px along the piece
+  double distance = 0;  // px along its normal
+};
+
+/// How many of the points lie on one nearly parallel line, and its distance at their middle.
+int on_parallel_line(const std::vector<Beside>& points, double& distance) {
+  constexpr double kOnLinePx = 1.5;  // a contour pixel's centre is off by up to 0.7
+  constexpr double kSlope = 0.15;    // a shape 10 % different turns an edge by less
+  int best = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = i; j < points.size(); ++j) {
+      const double run = points[j].position - points[i].position;
+      const double slope = j == i ? 0 : (points[j].distance - points[i].distance) / run;
+      if (std::abs(slope) > kSlope) continue;
+      int count = 0;
+      for (const Beside& p : points) {
+        const double on = points[i].distance + slope * (p.position - points[i].position);
+        count += std::abs(p.distance - on) < kOnLinePx;
+      }
+      if (count > best) {
+        best = count;
+        distance = 0.5 * (points[i].distance + points[j].distance);
+      }
+    }
+  }
+  return best;
+}
+
+void settle(PieceEvidence& piece, const std::vector<Beside>& beside, int found) {
+  const double n = std::max(1, piece.points);
+  piece.found = found / n;
+  piece.displaced = on_parallel_line(beside, piece.displacement_px) / n;
+  piece.flat = 1 - piece.found - piece.displaced;
+}
+
+void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& objects, int index,
+                  ObjectEvidence& out) {
+  const auto lines = visible_edges(*view.camera, objects);
+  std::vector<VisibleEdge> own;
+  for (const VisibleEdge& line : lines) {
+    if (line.object == index) own.push_back(line);
+  }
+  const PlacedModel& placed = objects[index];
+  const double px_per_mm = view.camera->px_per_mm_at(placed.world_from_model.t);
+  Collector collector{view,
+                      lines,
+                      std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
+                      kSimilarShapes * placed.model->diameter * px_per_mm,
+                      {}};
+  collect_foreign(view, objects, index, lines, collector.reach_px, out);
+  const auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
+  std::vector<Beside> beside;
+  for (std::size_t i = 0; i < points.size();) {
+    PieceEvidence piece;
+    const VisibleEdge& line = own[points[i].piece];
+    piece.view = v;
+    piece.edge = line.edge;
+    piece.surface = line.surface;
+    piece.type = line.type;
+    piece.length_px = line.length_px;
+    piece.normal = line.normal;
+    piece.middle_in_world = 0.5 * (line.x0_in_world + line.x1_in_world);
+    int found = 0;
+    FaintStep faint;
+    beside.clear();
+    for (const int at = points[i].piece; i < points.size() && points[i].piece == at; ++i) {
+      double displacement = 0;
+      const Finding finding = collector.look(points[i], displacement);
+      piece.points += finding != Finding::kOutside;
+      if (finding == Finding::kFlat) faint.add(*view.field, points[i]);
+      found += finding == Finding::kFound;
+      if (finding == Finding::kDisplaced) {
+        beside.push_back({(points[i].x - line.x0).norm(), displacement});
+      }
+    }
+    if (piece.points == 0) continue;
+    settle(piece, beside, found);
+    if (faint.clear()) std::swap(piece.weak, piece.flat);
+    if (piece.found > 0.5) {
+      const Eigen::Vector2d along = (line.x1 - line.x0) / line.length_px;
+      piece.continued = (line.s0 == 0 && collector.runs_on(line.x0, -along, line.normal)) ||
+                        (line.s1 == 1 && collector.runs_on(line.x1, along, line.normal));
+    }
+    out.found_px += piece.found * piece.length_px;
+    out.displaced_px += piece.displaced * piece.length_px;
+    out.flat_px += (piece.flat + piece.weak) * piece.length_px;
+    out.pieces.push_back(piece);
+  }
+}
+
+}  // namespace
+
+ObjectEvidence collect_evidence(const std::vector<FieldView>& views,
+                                const std::vector<PlacedModel>& objects, int index) {
+  ObjectEvidence out;
+  for (int v = 0; v < static_cast<int>(views.size()); ++v) {
+    collect_view(views[v], v, objects, index, out);
+  }
+  return out;
+}
+
+}  // namespace trihedron

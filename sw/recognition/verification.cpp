@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/verification.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+namespace trihedron {
+namespace {
+
+/// Points of one piece are not independent: a contour that meets one meets its neighbours. One
+/// independent answer per this length, px.
+constexpr double kIndependentPx = 20;
+/// Pieces shorter than this say nothing of their own: contours are rounded at junctions, px.
+constexpr double kShortPx = 10;
+/// Independent answers that one piece can give about its model edge at most.
+constexpr double kAnswers = 5;
+
+/// Probabilities of an answer (found, displaced, flat) at a point of a predicted edge.
+using Answers = std::array<double, 3>;
+/// ... where the edge is as predicted and has contrast,
+constexpr Answers kPresent = {0.96, 0.01, 0.03};
+/// ... where the surfaces on both sides are equally bright,
+constexpr Answers kWeak = {0.15, 0.05, 0.80};
+/// ... where the edge is elsewhere and seen there,
+constexpr Answers kBeside = {0.10, 0.75, 0.15};
+/// ... where it is elsewhere, out of reach, or something unknown hides it.
+constexpr Answers kNothing = {0.10, 0.05, 0.85};
+/// Shares of weak and of otherwise spoilt pieces (shadows, unknown occluders) of an object that
+/// is there, from the physics of diffuse surfaces: a contrast of less than 2 % of the range has
+/// about this probability.
+constexpr double kWeakShare = 0.06, kSpoiltShare = 0.04;
+
+double likelihood(const PieceEvidence& piece, const Answers& p) {
+  const double n = std::min<double>(piece.points, kAnswers);
+  return std::exp(n * ((piece.found + piece.weak) * std::log(p[0]) +
+                       piece.displaced * std::log(p[1]) + piece.flat * std::log(p[2])));
+}
+
+/// Likelihood of a piece whose edge is not where it is predicted.
+double likelihood_elsewhere(const PieceEvidence& piece) {
+  return 0.5 * likelihood(piece, kBeside) + 0.5 * likelihood(piece, kNothing);
+}
+
+/// Likelihood of a piece when a share `elsewhere` of the edges lies elsewhere.
+double mixture(const PieceEvidence& piece, double elsewhere) {
+  return (1 - kWeakShare - elsewhere) * likelihood(piece, kPresent) +
+         kWeakShare * likelihood(piece, kWeak) + elsewhere * likelihood_elsewhere(piece);
+}
+
+/// Pieces of one surface in one view are found for one reason, its contrast, or not found for
+/// the same reason: the longest found and the longest flat piece speak for all. Displaced ones
+/// speak each for itself.
+std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evidence) {
+  std::vector<const PieceEvidence*> out;
+  std::map<std::array<int, 3>, const PieceEvidence*> longest;
+  for (const PieceEvidence& piece : evidence.pieces) {
+    if (piece.length_px < kShortPx) continue;
+    if (piece.displaced >= 0.5) {
+      out.push_back(&piece);
+      continue;
+    }
+    const PieceEvidence*& other = longest[{piece.view, piece.surface, piece.flat >= 0.5}];
+    if (!other || piece.length_px > other->length_px) other = &piece;
+  }
+  for (const auto& entry : longest) out.push_back(entry.second);
+  return out;
+}
+
+/// Log odds of "all edges as the model says" against "an unknown share of them elsewhere",
+/// every share from the spoilt one up to all equally likely on a logarithmic scale.
+double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
+  constexpr double kShares[] = {0.05, 0.1, 0.2, 0.4, 0.8};
+  double there = 0;
+  for (const PieceEvidence* piece : pieces) there += std::log(mixture(*piece, kSpoiltShare));
+  double elsewhere = 0;
+  for (double share : kShares) {
+    double log = 0;
+    for (const PieceEvidence* piece : pieces) log += std::log(mixture(*piece, share));
+    elsewhere += std::exp(std::min(log - there, 600.0)) / std::size(kShares);
+  }
+  return -std::log(std::max(elsewhere, 1e-300));
+}
+
+/// Log odds of "there" against "not what this view sees" (a pose wrong in depth, say), for the
+/// view for which that is likeliest. One library object in twenty may be so misplaced.
+double log_against_unseen(const std::vector<const PieceEvidence*>& pieces, int views) {
+  constexpr double kElsewhereIfUnseen = 0.9, kPriorOdds = 20;
+  std::vector<double> log(views, std::log(kPriorOdds * views));
+  for (const PieceEvidence* piece : pieces) {
+    log[piece->view] +=
+        std::log(mixture(*piece, kSpoiltShare) / mixture(*piece, kElsewhereIfUnseen));
+  }
+  return *std::min_element(log.begin(), log.end());
+}
+
+/// How the line of a surface's edge moves in the image, px, when the surface moves 1 mm outwards.
+double shift_per_mm(const FieldView& view, const PlacedModel& placed, const PieceEvidence& piece,
+                    int surface) {
+  const ModelEdge& edge = placed.model->edges[piece.edge];
+  const Model& model = *placed.model;
+  const Eigen::Vector3d along =
+      (model.mesh.vertices[edge.v1] - model.mesh.vertices[edge.v0]).normalized();
+  const int other = edge.left == surface ? edge.right : edge.left;
+  // The edge stays in the other surface's plane.
+  const Eigen::Vector3d in_other = model.surfaces[other].normal.cross(along);
+  const double outwards = model.surfaces[surface].normal.dot(in_other);
+  if (std::abs(outwards) < 0.2) return 0;
+  const Eigen::Vector3d move = placed.world_from_model.R * (in_other / outwards);
+  return piece.normal.dot(view.camera->projection_jacobian(piece.middle_in_world) * move);
+}
+
+/// The best place for one surface when its edges are not where the model says.
+DisplacedSurface displaced_surface(const std::vector<FieldView>& views, const PlacedModel& placed,
+                                   const ObjectEvidence& evidence, int surface) {
+  struct Vote {
+    const PieceEvidence* piece;
+    double px_per_mm;
+  };
+  constexpr double kInformative = 0.3;  // of a full shift: less says nothing of the surface
+  constexpr double kSmallestMm = kLeastDisplacementMm;
+  std::vector<Vote> votes;
+  std::map<int, bool> flat_in_view;
+  for (const PieceEvidence& piece : evidence.pieces) {
+    const ModelEdge& edge = placed.model->edges[piece.edge];
+    if ((edge.left != surface && edge.right != surface) || piece.length_px < kShortPx) continue;
+    const double shift = shift_per_mm(views[piece.view], placed, piece, surface);
+    const double full = views[piece.view].camera->px_per_mm_at(piece.middle_in_world);
+    if (std::abs(shift) < kInformative * full) continue;
+    // Flat pieces of one view have one cause.
+    if (piece.flat >= 0.5 && std::exchange(flat_in_view[piece.view], true)) continue;
+    votes.push_back({&piece, shift});
+  }
+  DisplacedSurface best;
+  best.surface = surface;
+  best.log_odds = -1e9;
+  for (const Vote& leader : votes) {
+    if (leader.piece->displaced < 0.5) continue;
+    const double mm = leader.piece->displacement_px / leader.px_per_mm;
+    if (std::abs(mm) < kSmallestMm || std::abs(mm) > kSimilarShapes * placed.model->diameter)
+      continue;
+    double log = 0;
+    for (const Vote& vote : votes) {
+      const double expected = mm * vote.px_per_mm, got = vote.piece->displacement_px;
+      // A shape scaled in one direction turns its surfaces too: a quarter is left to that.
+      const bool agrees = std::abs(got - expected) < 2 + 0.25 * std::abs(expected);
+      PieceEvidence piece = *vote.piece;
+      if (!agrees) std::swap(piece.displaced, piece.flat);
+      log += std::log(0.1 * likelihood(piece, kPresent) + 0.9 * likelihood_elsewhere(piece)) -
+             std::log(mixture(*vote.piece, kSpoiltShare));
+    }
+    if (log > best.log_odds) {
+      best.log_odds = log;
+      best.outwards_mm = mm;
+    }
+  }
+  return best;
+}
+
+/// The tail of n trials of probability p with at least share q found, as log10 (Hoeffding's
+/// bound by the Kullback-Leibler divergence).
+double log10_tail(double n, double q, double p) {
+  if (q <= p) return 0;
+  q = std::min(q, 1 - 1e-9);
+  const double divergence = q * std::log(q / p) + (1 - q) * std::log((1 - q) / (1 - p));
+  return -n * divergence / std::log(10.0);
+}
+
+void judge_chance(const std::vector<ChanceModel>& chance, const ObjectEvidence& evidence,
+                  double tests, Verdict& out) {
+  double n = 0, p_sum = 0, found = 0;
+  for (const PieceEvidence& piece : evidence.pieces) {
+    const double p =
+        chance[piece.view].found[ContourField::bin_of(piece.normal.x(), piece.normal.y())];
+    const double answers = std::min(piece.length_px / kIndependentPx, kAnswers);
+    n += answers;
+    p_sum += answers * p;
+    found += answers * piece.found;
+    out.log_against_chance +=
+        answers * (piece.found * std::log(0.95 / p) + (1 - piece.found) * std::log(0.05 / (1 - p)));
+    out.visible_px += piece.length_px;
+    out.found_share += piece.length_px * piece.found;
+  }
+  out.found_share /= std::max(1.0, out.visible_px);
+  out.log10_false_alarms = std::log10(tests) + (n > 0 ? log10_tail(n, found / n, p_sum / n) : 0.0);
+}
+
+std::string text(const char* format, double a, double b = 0) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, a, b);
+  return buffer;
+}
+
+}  // namespace
+
+ChanceModel chance_model(const ContourField& field) {
+  ChanceModel out;
+  // A point is found within about 2 px on either side of a contour, of three direction bins.
+  constexpr double kBandPx = 4;
+  constexpr double kLeast = 0.02;
+  double counts[ContourField::kBins] = {};
+  for (int y = 0; y < field.height(); ++y) {
+    for (int x = 0; x < field.width(); ++x) {
+      const unsigned mask = field.directions(x, y);
+      for (int bin = 0; mask && bin < ContourField::kBins; ++bin) counts[bin] += (mask >> bin) & 1;
+    }
+  }
+  const double area = std::max(1.0, field.occupied_area_px());
+  for (int bin = 0; bin < ContourField::kBins; ++bin) {
+    const double three = counts[bin] + counts[(bin + 1) % ContourField::kBins] +
+                         counts[(bin + ContourField::kBins - 1) % ContourField::kBins];
+    out.found[bin] = std::clamp(kBandPx * three / area, kLeast, 0.9);
+  }
+  return out;
+}
+
+Verdict verify(const std::vector<FieldView>& views, const std::vector<ChanceModel>& chance,
+               const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,
+               const VerificationOptions& options) {
+  Verdict out;
+  judge_chance(chance, evidence, options.tests, out);
+  const auto pieces = independent_pieces(evidence);
+  out.log_against_similar = log_against_similar(pieces);
+  out.log_against_unseen = log_against_unseen(pieces, static_cast<int>(views.size()));
+  const Model& model = *objects[index].model;
+  const auto surfaces = static_cast<double>(model.surfaces.size());
+  out.displaced.log_odds = -1e9;
+  for (int s = 0; s < static_cast<int>(surfaces); ++s) {
+    DisplacedSurface alternative = displaced_surface(views, objects[index], evidence, s);
+    // A similar shape is as likely in the scene as the model itself, and any one of its surfaces
+    // may differ.
+    alternative.log_odds -= std::log(surfaces);
+    if (alternative.log_odds > out.displaced.log_odds) out.displaced = alternative;
+  }
+  if (out.log10_false_alarms > -3) {
+    out.reason = text("chance: %.0f %% of the visible edges found, as random poses do (10^%.1f)",
+                      100 * out.found_share, out.log10_false_alarms);
+  } else if (out.displaced.log_odds > 0) {
+    out.reason = "similar shape: surface " + std::to_string(out.displaced.surface) +
+                 text(" of the object lies %+.1f mm off the model's", out.displaced.outwards_mm);
+  } else if (out.log_against_unseen < 0) {
+    out.reason = text("unseen: a view that should show the object does not (log odds %.1f)",
+                      out.log_against_unseen);
+  } else if (out.log_against_similar < 0) {
+    out.reason =
+        text("partial: %.0f %% of the visible edges found, %.0f %% have their edge elsewhere",
+             100 * out.found_share, 100 * evidence.displaced_px / out.visible_px);
+  }
+  out.accepted = out.reason.empty();
+  return out;
+}
+
+}  // namespace trihedron

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recognition/object_evidence.hpp"
+
+namespace trihedron {
+
+/// How well one view's contours could be met by accident.
+struct ChanceModel {
+  /// Probability that a random point near the contours finds one of its direction, per bin.
+  double found[ContourField::kBins] = {};
+};
+
+ChanceModel chance_model(const ContourField& field);
+
+/// A surface of the model that seems to lie elsewhere on the object in the scene.
+struct DisplacedSurface {
+  int surface = -1;
+  double outwards_mm = 0;
+  double log_odds = 0;  ///< natural logarithm, against the model as it is; above 0: likelier
+};
+
+/// The judgement on one object of a scene.
+struct Verdict {
+  /// Expected number of poses among `tests` random ones that would find as much: the number of
+  /// false alarms, as log10.
+  double log10_false_alarms = 0;
+  /// Log likelihood ratio of the evidence, object against chance: ranks explanations.
+  double log_against_chance = 0;
+  /// Log odds "the model as it is" against "something that shares only part of its edges".
+  double log_against_similar = 0;
+  /// Log odds "there" against "a view that should show the object does not", worst view.
+  double log_against_unseen = 0;
+  DisplacedSurface displaced;
+  double found_share = 0;  ///< of the visible edge length
+  double visible_px = 0;   ///< edge length asked for
+  bool accepted = false;
+  std::string reason;  ///< one line, why not; empty when accepted
+};
+
+struct VerificationOptions {
+  double tests = 1e4;  ///< poses that were in question
+};
+
+/// Judges `objects[index]` by its evidence. Nothing is tuned to a score: the object must be
+/// unlikely as an accident, and likelier than a shape or pose that agrees only in part.
+Verdict verify(const std::vector<FieldView>& views, const std::vector<ChanceModel>& chance,
+               const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,
+               const VerificationOptions& options = {});
+
+}  // namespace trihedron

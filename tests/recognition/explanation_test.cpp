@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/explanation.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "recognition/rigs.hpp"
+#include "recognition/solid_overlap.hpp"
+
+using namespace trihedron;
+using Eigen::Vector3d;
+
+namespace {
+
+std::vector<View> views_of(const std::vector<PlacedModel>& objects) {
+  std::vector<View> views;
+  for (const Camera& camera : rigs::three_views()) {
+    views.push_back({camera, rigs::features_of(camera, objects)});
+  }
+  return views;
+}
+
+/// `pose` a little off: what a search for poses hands over.
+Transform nearby(const Transform& pose) {
+  Vector6d motion;
+  motion << 0.03, -0.04, 0.05, 2, -1.5, 1;
+  return moved(pose, motion);
+}
+
+Model scaled(const Model& model, const Vector3d& factors) {
+  Mesh mesh = model.mesh;
+  for (Vector3d& v : mesh.vertices) v = v.cwiseProduct(factors);
+  if (factors.prod() < 0) {
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  return build_model(model.id, model.name, mesh);
+}
+
+const Transform kPose = rigs::pose({0.1, 0.05, 0.6}, {-5, 4, 32});
+
+}  // namespace
+
+TEST_CASE("an object whose model is in the library is recognised, and said where") {
+  const std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket()};
+  const auto views = views_of({{&library[1], kPose}});
+  const auto result = explain(views, library, {{0, nearby(kPose), 2}, {1, nearby(kPose), 1}});
+  REQUIRE(result.objects.size() == 1);
+  CHECK(result.objects[0].model_id == library[1].id);
+  CHECK(pose_distance(library[1], result.objects[0].world_from_model, kPose) < 0.1);
+  CHECK(result.objects[0].score > 0.9);
+  CHECK_FALSE(result.objects[0].surfaces.empty());
+  for (const Rejection& r : result.rejections) CHECK_FALSE(r.reason.empty());
+}
+
+TEST_CASE("a shape 10 % different in one dimension or mirrored is refused") {
+  const Model truth = rigs::l_bracket();
+  const auto views = views_of({{&truth, kPose}});
+  for (const Vector3d& factors : {Vector3d(1.1, 1, 1), Vector3d(0.9, 1, 1), Vector3d(1, 1.1, 1),
+                                  Vector3d(1, 0.9, 1), Vector3d(1, 1, 1.1), Vector3d(1, 1, 0.9)}) {
+    const std::vector<Model> library = {scaled(truth, factors)};
+    INFO("scaled by " << factors.transpose());
+    CHECK(explain(views, library, {{0, nearby(kPose), 1}}).objects.empty());
+  }
+  // The L is its own mirror image across its thickness; mirrored in x it lies the other way.
+  const std::vector<Model> library = {scaled(truth, {-1, 1, 1})};
+  CHECK(explain(views, library, {{0, nearby(kPose), 1}}).objects.empty());
+}
+
+TEST_CASE("a rejected hypothesis says how the shape differs") {
+  const Model truth = rigs::block(60, 50, 40);
+  const auto views = views_of({{&truth, kPose}});
+  const std::vector<Model> library = {rigs::block(66, 50, 40)};
+  const auto result = explain(views, library, {{0, nearby(kPose), 1}});
+  REQUIRE(result.rejections.size() == 1);
+  CHECK_THAT(result.rejections[0].reason, Catch::Matchers::Contains("similar shape: surface"));
+}
+
+TEST_CASE("objects that hide each other are all recognised") {
+  const std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket()};
+  const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
+  const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
+  const auto views = views_of({{&library[0], front}, {&library[1], behind}});
+  const auto result =
+      explain(views, library, {{1, nearby(behind), 3}, {0, nearby(front), 2}, {0, behind, 1}});
+  REQUIRE(result.objects.size() == 2);
+  CHECK(result.objects[0].model_id != result.objects[1].model_id);
+}
+
+TEST_CASE("an empty scene has no objects") {
+  const std::vector<Model> library = {rigs::block(60, 50, 40)};
+  const auto result = explain(views_of({}), library, {{0, kPose, 1}});
+  CHECK(result.objects.empty());
+}
+
+TEST_CASE("solids overlap when they share space, not when they touch") {
+  const Model block = rigs::block(40, 40, 40);
+  const InnerPoints inner = inner_points(block, 2);
+  CHECK(inside(block, {0, 0, 0}));
+  CHECK_FALSE(inside(block, {21, 0, 0}));
+  const PlacedModel a{&block, {}};
+  CHECK(overlap(a, inner, {&block, rigs::pose({0, 0, 0}, {30, 0, 0})}, inner));
+  CHECK_FALSE(overlap(a, inner, {&block, rigs::pose({0, 0, 0}, {39, 0, 0})}, inner));
+}
