@@ -31,10 +31,9 @@ struct ContourBeat {
 struct Vertex {
   std::uint16_t x = 0;  ///< column, px
   std::uint16_t y = 0;  ///< row, px
-  std::uint8_t branches =
-      0;  ///< contour branches that meet here (2: a bend, 3 or more: a junction)
-  std::uint16_t pattern = 0;   ///< index of the matched 5x5 vertex pattern
-  std::uint16_t strength = 0;  ///< curvature value of the match
+  std::uint8_t branches = 0;  ///< contour branches that meet here: 2 a corner, 3 or more a junction
+  std::uint16_t pattern = 0;   ///< 16 a + b, the ring positions of the branches (golden/vertices.hpp)
+  std::uint16_t strength = 0;  ///< value of the match: corners up to 40, junctions from 48 to 128
 };
 
 /// Everything that leaves the hardware's ports for one frame of one view. Software sees

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "golden/direction.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace trihedron::golden {
+
+int direction_sector(int gx, int gy) {
+  // Quadrants start on the axes x, y, -x, -y and each holds its own axis.
+  const int quadrant = gy > 0 ? (gx > 0 ? 0 : 1) : gy < 0 ? (gx < 0 ? 2 : 3) : (gx < 0 ? 2 : 0);
+  const int along = std::abs(quadrant % 2 == 0 ? gx : gy);
+  const int beyond = std::abs(quadrant % 2 == 0 ? gy : gx);
+  const int minor = std::min(along, beyond);
+  const int major = std::max(along, beyond);
+  int step = 0;
+  for (const int threshold : {6, 13, 19, 27, 34, 43, 53}) {
+    step += 64 * minor >= threshold * major ? 1 : 0;
+  }
+  return 16 * quadrant + (along >= beyond ? step : 15 - step);
+}
+
+int magnitude_class(int magnitude, int floor) {
+  return (magnitude >= floor) + (2 * magnitude >= 3 * floor) + (2 * magnitude >= 5 * floor);
+}
+
+Plane<Direction> directions(const GradientImage& gradient,
+                            const Plane<std::uint8_t>& second_contour, int floor) {
+  Plane<Direction> out(second_contour.width, second_contour.height);
+  for (std::size_t i = 0; i < out.samples.size(); ++i) {
+    if (second_contour.samples[i] == 0) continue;
+    const int strength = magnitude_class(gradient.magnitude.samples[i], floor);
+    if (strength == 0) continue;
+    const int sector = direction_sector(gradient.gx.samples[i], gradient.gy.samples[i]);
+    out.samples[i] = static_cast<Direction>(strength << 6 | sector);
+  }
+  return out;
+}
+
+}  // namespace trihedron::golden

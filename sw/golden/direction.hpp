@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "golden/gradient.hpp"
+#include "golden/plane.hpp"
+
+namespace trihedron::golden {
+
+/// What stage 4 keeps of a pixel: 0 where no vertex branch can run, else the class of its
+/// magnitude in bits 7:6 (1 weak, 2 medium, 3 strong) and its gradient direction in bits 5:0.
+/// One byte a pixel.
+using Direction = std::uint8_t;
+
+constexpr int kDirections = 64;  ///< sectors of a full turn, 5.625 degrees each
+
+/// Sector of the gradient, 0 .. 63: 0 from the direction of x on, rising towards that of y. A
+/// quarter turn of the gradient is 16 sectors exactly. Within an octant the sector counts the
+/// thresholds 6 13 19 27 34 43 53, 64 tan(k 5.625 deg), that 64 min(|gx|, |gy|) / max(|gx|, |gy|)
+/// reaches; sector 7 for no gradient.
+int direction_sector(int gx, int gy);
+
+/// Class of a contour pixel's magnitude: 0 below `floor`, 1 below 3/2 of it, 2 below 5/2, 3 above.
+int magnitude_class(int magnitude, int floor);
+
+/// The directions of the second contour's pixels; 0 elsewhere.
+Plane<Direction> directions(const GradientImage& gradient,
+                            const Plane<std::uint8_t>& second_contour, int floor);
+
+}  // namespace trihedron::golden
