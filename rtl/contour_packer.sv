@@ -2,8 +2,8 @@
 //
 // Joins gradient vectors and contour flags of the same pixel into the contour stream.
 //
-//   slope_*       {gy, gx} of each pixel, raster order; some clocks ahead of
-//   flags_*       {first, contour, magnitude} of each real pixel, with sol, eol, sof of its row
+//   slope_*       {magnitude, gy, gx} of each pixel, raster order; some clocks ahead of
+//   flags_*       {first, contour} of each real pixel, with sol, eol, sof of its row
 //   ready_o       room for everything that is still in the pipeline: a beat may enter it
 //   m_axis_*      beat: [0] contour, [1] first contour, [23:8] magnitude, [39:24] gx,
 //                 [55:40] gy; tuser first pixel of a frame, tlast last pixel of a line
@@ -18,12 +18,12 @@ module contour_packer #(
     input  logic                       clk_i,
     input  logic                       rst_ni,
     input  logic                       slope_valid_i,
-    input  logic [2*FractionBits+15:0] slope_data_i,
+    input  logic [3*FractionBits+21:0] slope_data_i,
     input  logic                       flags_valid_i,
     input  logic                       flags_sol_i,
     input  logic                       flags_eol_i,
     input  logic                       flags_sof_i,
-    input  logic [   FractionBits+7:0] flags_data_i,
+    input  logic [                1:0] flags_data_i,
     output logic                       ready_o,
     output logic                       m_axis_tvalid_o,
     input  logic                       m_axis_tready_i,
@@ -45,7 +45,7 @@ module contour_packer #(
   logic first, contour;
 
   stream_fifo #(
-      .Width(2 * SlopeBits),
+      .Width(2 * SlopeBits + MagnitudeBits),
       .Depth(Depth)
   ) i_slope (
       .clk_i,
@@ -55,11 +55,11 @@ module contour_packer #(
       .level_o(slope_level),
       .m_tvalid_o(slope_valid),
       .m_tready_i(pop),
-      .m_tdata_o({gy, gx})
+      .m_tdata_o({magnitude, gy, gx})
   );
 
   stream_fifo #(
-      .Width(MagnitudeBits + 4),
+      .Width(4),
       .Depth(Depth)
   ) i_flags (
       .clk_i,
@@ -69,7 +69,7 @@ module contour_packer #(
       .level_o(),
       .m_tvalid_o(flags_valid),
       .m_tready_i(pop),
-      .m_tdata_o({first, contour, magnitude, m_axis_tuser_o, m_axis_tlast_o})
+      .m_tdata_o({first, contour, m_axis_tuser_o, m_axis_tlast_o})
   );
 
   assign pop = m_axis_tvalid_o && m_axis_tready_i;

@@ -1,4 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// Stage 2: the pixels where a contour may run, several pixels wide.
+//
+// With c the magnitude of the centre and n those of its window's 24 other pixels:
+//
+//   first = c >= noise_floor
+//           and 32 sum{n <= c} n < mean_limit c count{n <= c}
+//           and 4 p >= 3 c, 4 q >= 3 c for two inner neighbours p, q that do not touch each other
+//
+//   noise_floor_i, mean_limit_i   thresholds
+//   slot in, out                  see line_window; data_i = {step, magnitude},
+//                                 data_o = {first, step, magnitude} of the centre pixel
+//
+// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: not first contour.
 module first_contour #(
     parameter int MaxWidthPx    = 1920,
     parameter int MagnitudeBits = 9
@@ -6,7 +20,7 @@ module first_contour #(
     input  logic                     clk_i,
     input  logic                     rst_ni,
     input  logic [MagnitudeBits-1:0] noise_floor_i,
-    input  logic [              7:0] relative_weight_i,
+    input  logic [              4:0] mean_limit_i,
     input  logic                     valid_i,
     input  logic                     sol_i,
     input  logic                     sof_i,
@@ -20,11 +34,15 @@ module first_contour #(
     output logic [              1:0] fault_o,
     output logic [MagnitudeBits+2:0] data_o
 );
-  logic [5*5*(MagnitudeBits+2)-1:0] window;
+  localparam int M = MagnitudeBits;
+  localparam int Latency = 8;
+
+  logic [25*M-1:0] window;
   logic valid, sol, sof, is_real, in_frame;
-  logic [1:0] fault;
+  logic [1:0] fault, step;
   line_window #(
-      .Width(MagnitudeBits + 2),
+      .Width    (M),
+      .SideWidth(2),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -34,8 +52,10 @@ module first_contour #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i,
+      .data_i(data_i[M-1:0]),
+      .side_i(data_i[M+1:M]),
       .window_o(window),
+      .side_o(step),
       .valid_o(valid),
       .sol_o(sol),
       .eol_o(),
@@ -47,16 +67,111 @@ module first_contour #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .tail_data_o(),
       .end_o(),
       .end_fault_o()
   );
-  logic [MagnitudeBits+1:0] centre;
-  assign centre = window[12*(MagnitudeBits+2)+:MagnitudeBits+2];
+
+  // Clocks 1-6: sum (clock 6) and count (clock 4) of the neighbours that are not above the centre.
+  logic [M-1:0] centre;
+  logic [24*M-1:0] kept_q;
+  logic [23:0] keeps_q;
+  logic [12*(M+1)-1:0] sum12_q;
+  logic [6*(M+2)-1:0] sum6_q;
+  logic [3*(M+3)-1:0] sum3_q;
+  logic [M+3:0] sum2_q;
+  logic [M+2:0] sum1_q;
+  logic [M+4:0] sum_q, sum_late_q;
+  logic [17:0] count6_q;
+  logic [4:0] count_low_q, count_high_q, count_q;
+  assign centre = window[12*M+:M];
+
   always_ff @(posedge clk_i) begin
-    valid_o <= valid && rst_ni;
-    {sol_o, sof_o, real_o, fault_o} <= {sol, sof, is_real, fault};
-    data_o <= {in_frame && centre[MagnitudeBits-1:0] >= noise_floor_i &&
-               relative_weight_i != '0, centre};
+    for (int i = 0; i < 24; i++) begin
+      keeps_q[i]     <= window[(i<12?i:i+1)*M+:M] <= centre;
+      kept_q[i*M+:M] <= window[(i<12?i:i+1)*M+:M] <= centre ? window[(i<12?i:i+1)*M+:M] : '0;
+    end
+    for (int i = 0; i < 12; i++) begin
+      sum12_q[i*(M+1)+:M+1] <= (M + 1)'(kept_q[2*i*M+:M]) + (M + 1)'(kept_q[(2*i+1)*M+:M]);
+    end
+    for (int i = 0; i < 6; i++) begin
+      count6_q[3*i+:3] <= 3'(keeps_q[4*i]) + 3'(keeps_q[4*i+1]) + 3'(keeps_q[4*i+2]) +
+                          3'(keeps_q[4*i+3]);
+      sum6_q[i*(M+2)+:M+2] <= (M + 2)'(sum12_q[2*i*(M+1)+:M+1]) +
+                              (M + 2)'(sum12_q[(2*i+1)*(M+1)+:M+1]);
+    end
+    for (int i = 0; i < 3; i++) begin
+      sum3_q[i*(M+3)+:M+3] <= (M + 3)'(sum6_q[2*i*(M+2)+:M+2]) +
+                              (M + 3)'(sum6_q[(2*i+1)*(M+2)+:M+2]);
+    end
+    sum2_q       <= (M + 4)'(sum3_q[0+:M+3]) + (M + 4)'(sum3_q[M+3+:M+3]);
+    sum1_q       <= sum3_q[2*(M+3)+:M+3];
+    sum_q        <= (M + 5)'(sum2_q) + (M + 5)'(sum1_q);
+    sum_late_q   <= sum_q;
+    count_low_q  <= 5'(count6_q[0+:3]) + 5'(count6_q[3+:3]) + 5'(count6_q[6+:3]);
+    count_high_q <= 5'(count6_q[9+:3]) + 5'(count6_q[12+:3]) + 5'(count6_q[15+:3]);
+    count_q      <= count_low_q + count_high_q;
   end
+
+  // Clocks 1-7: mean_limit c count.
+  logic [M+4:0] limit, limit_late_q;
+  logic [M+9:0] bound;
+  scale5 #(
+      .Width(M)
+  ) i_limit (
+      .clk_i,
+      .value_i  (centre),
+      .factor_i (mean_limit_i),
+      .product_o(limit)
+  );
+  always_ff @(posedge clk_i) limit_late_q <= limit;
+  scale5 #(
+      .Width(M + 5)
+  ) i_bound (
+      .clk_i,
+      .value_i  (limit_late_q),
+      .factor_i (count_q),
+      .product_o(bound)
+  );
+
+  // Clocks 1-3: inner neighbours (columns 1-3, rows 1-3) that can carry a path, and the path.
+  logic [8*M-1:0] inner_q;
+  logic [M+1:0] centre3_q;
+  logic [7:0] on_q;
+  logic floor_q, floor_late_q, path_q;
+  logic nw, n, ne, w, e, sw, s, se;
+  assign {se, e, ne, s, n, sw, w, nw} = on_q;
+  always_ff @(posedge clk_i) begin
+    inner_q <= {window[16*M+:3*M], window[13*M+:M], window[11*M+:M], window[6*M+:3*M]};
+    centre3_q <= (M + 2)'(centre) + {1'b0, centre, 1'b0};
+    floor_q <= in_frame && centre >= noise_floor_i;
+    for (int i = 0; i < 8; i++) on_q[i] <= {inner_q[i*M+:M], 2'b0} >= centre3_q;
+    floor_late_q <= floor_q;
+    path_q <= floor_late_q &&
+              ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
+               (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
+               (ne && (sw || se)) || (sw && se));
+  end
+
+  logic path_late, first_q;
+  logic [M+1:0] payload;
+  delay_line #(
+      .Width (1),
+      .Clocks(4)
+  ) i_path (
+      .clk_i,
+      .rst_ni,
+      .data_i(path_q),
+      .data_o(path_late)
+  );
+  delay_line #(
+      .Width (8 + M),
+      .Clocks(Latency)
+  ) i_slot (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid, sol, sof, is_real, fault, step, centre}),
+      .data_o({valid_o, sol_o, sof_o, real_o, fault_o, payload})
+  );
+  assign data_o = {first_q, payload};
+  always_ff @(posedge clk_i) first_q <= path_late && {sum_late_q, 5'b0} < bound;
 endmodule

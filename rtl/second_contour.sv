@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// Stage 3, second window: the ridge, linked into contours one pixel wide.
+//
+// The links of a pixel are its ridge neighbours among the 8.
+//   A ridge pixel stays when it has a link.
+//   A pixel off the ridge with floor set closes a gap when its links fall into two or more groups
+//   that do not touch and one of the links is an end (has one link itself).
+//
+//   slot in, out   see slot_tracker; data_i = {floor, first, ridge}, data_o = {first, contour} of
+//                  the centre pixel; eol_o its last column
+//
+// Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no contour.
 module second_contour #(
-    parameter int MaxWidthPx    = 1920,
-    parameter int MagnitudeBits = 9
+    parameter int MaxWidthPx = 1920
 ) (
-    input  logic                     clk_i,
-    input  logic                     rst_ni,
-    input  logic [MagnitudeBits+4:0] support_i,
-    input  logic                     valid_i,
-    input  logic                     sol_i,
-    input  logic                     sof_i,
-    input  logic                     real_i,
-    input  logic [              1:0] fault_i,
-    input  logic [MagnitudeBits+2:0] data_i,
-    output logic                     valid_o,
-    output logic                     sol_o,
-    output logic                     eol_o,
-    output logic                     sof_o,
-    output logic                     real_o,
-    output logic [              1:0] fault_o,
-    output logic [MagnitudeBits+1:0] data_o
+    input  logic       clk_i,
+    input  logic       rst_ni,
+    input  logic       valid_i,
+    input  logic       sol_i,
+    input  logic       sof_i,
+    input  logic       real_i,
+    input  logic [1:0] fault_i,
+    input  logic [2:0] data_i,
+    output logic       valid_o,
+    output logic       sol_o,
+    output logic       eol_o,
+    output logic       sof_o,
+    output logic       real_o,
+    output logic [1:0] fault_o,
+    output logic [1:0] data_o
 );
-  logic [5*5*(MagnitudeBits+3)-1:0] window;
-  logic valid, eol, sol, sof, is_real, in_frame;
+  localparam int Latency = 4;
+
+  logic [24:0] window;
+  logic valid, sol, eol, sof, is_real, in_frame, floor, first;
   logic [1:0] fault;
   line_window #(
-      .Width(MagnitudeBits+3),
+      .Width     (1),
+      .SideWidth (2),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -34,8 +47,10 @@ module second_contour #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i,
+      .data_i(data_i[0]),
+      .side_i(data_i[2:1]),
       .window_o(window),
+      .side_o({floor, first}),
       .valid_o(valid),
       .sol_o(sol),
       .eol_o(eol),
@@ -47,16 +62,83 @@ module second_contour #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .tail_data_o(),
       .end_o(),
       .end_fault_o()
   );
-  logic [MagnitudeBits+2:0] centre;
-  assign centre = window[12*(MagnitudeBits+3)+:MagnitudeBits+3];
-  always_ff @(posedge clk_i) begin
-    valid_o <= valid && rst_ni;
-    {eol_o, sol_o, sof_o, real_o, fault_o} <= {eol, sol, sof, is_real, fault};
-    data_o <= {centre[MagnitudeBits+2], in_frame && centre[MagnitudeBits+2] &&
-               centre[MagnitudeBits+1] && support_i != '0, centre[MagnitudeBits-1:0]};
+
+  // Window bit of neighbour k, in turn around a pixel: right, lower right, below, and so on.
+  function automatic int around(input int pixel, input int k);
+    case (k)
+      0: around = pixel + 5;
+      1: around = pixel + 6;
+      2: around = pixel + 1;
+      3: around = pixel - 4;
+      4: around = pixel - 5;
+      5: around = pixel - 6;
+      6: around = pixel - 1;
+      default: around = pixel + 4;
+    endcase
+  endfunction
+
+  // Clock 1: links; of each neighbour, none and one among four of its links and the other four.
+  logic [7:0] links, links_q, none_a_q, one_a_q, none_b_q, one_b_q, filled_q;
+  logic ridge_q, closes_q;
+  function automatic logic one_of(input logic [3:0] bits);
+    one_of = bits == 4'd1 || bits == 4'd2 || bits == 4'd4 || bits == 4'd8;
+  endfunction
+  always_comb begin
+    for (int k = 0; k < 8; k++) links[k] = window[around(12, k)];
   end
+  always_ff @(posedge clk_i) begin
+    links_q  <= links;
+    ridge_q  <= window[12] && in_frame;
+    closes_q <= !window[12] && floor && in_frame;
+    for (int k = 0; k < 8; k++) begin
+      none_a_q[k] <= !(window[around(around(12, k), 0)] || window[around(around(12, k), 1)] ||
+                       window[around(around(12, k), 2)] || window[around(around(12, k), 3)]);
+      none_b_q[k] <= !(window[around(around(12, k), 4)] || window[around(around(12, k), 5)] ||
+                       window[around(around(12, k), 6)] || window[around(around(12, k), 7)]);
+      one_a_q[k] <= one_of({window[around(around(12, k), 0)], window[around(around(12, k), 1)],
+                            window[around(around(12, k), 2)], window[around(around(12, k), 3)]});
+      one_b_q[k] <= one_of({window[around(around(12, k), 4)], window[around(around(12, k), 5)],
+                            window[around(around(12, k), 6)], window[around(around(12, k), 7)]});
+      // A corner between two side neighbours does not part them: it counts as set.
+      filled_q[k] <= links[k] || (k % 2 == 1 && links[(k+7)%8] && links[(k+1)%8]);
+    end
+  end
+
+  // Clocks 2-4: ends among the links; runs of set neighbours, two or more of them.
+  logic [7:0] end_q, starts_q;
+  logic linked_q, ridge2_q, closes2_q, stays_q, closes3_q, any_end_q, two_a_q, two_b_q, some_a_q,
+        some_b_q, contour_q;
+  always_ff @(posedge clk_i) begin
+    end_q     <= links_q & ((one_a_q & none_b_q) | (none_a_q & one_b_q));
+    starts_q  <= filled_q & ~{filled_q[6:0], filled_q[7]};
+    linked_q  <= links_q != '0;
+    ridge2_q  <= ridge_q;
+    closes2_q <= closes_q;
+
+    stays_q   <= ridge2_q && linked_q;
+    closes3_q <= closes2_q;
+    any_end_q <= end_q != '0;
+    some_a_q  <= starts_q[3:0] != '0;
+    some_b_q  <= starts_q[7:4] != '0;
+    two_a_q   <= starts_q[3:0] != '0 && !one_of(starts_q[3:0]);
+    two_b_q   <= starts_q[7:4] != '0 && !one_of(starts_q[7:4]);
+
+    contour_q <= stays_q || (closes3_q && any_end_q &&
+                             (two_a_q || two_b_q || (some_a_q && some_b_q)));
+  end
+
+  logic first_late;
+  assign data_o = {first_late, contour_q};
+  delay_line #(
+      .Width (8),
+      .Clocks(Latency)
+  ) i_slot (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid, sol, eol, sof, is_real, fault, first}),
+      .data_o({valid_o, sol_o, eol_o, sof_o, real_o, fault_o, first_late})
+  );
 endmodule

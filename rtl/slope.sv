@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The gradient vector for the contour stream, computed again from pixels four rows later.
+// The gradient of the contour stream, computed again from pixels six rows later.
 //
-// Two more rows of latency through the first and the second contour each would cost 88 bits of
-// line memory per column for gx and gy; four rows of pixels cost 32 and a second adder tree.
+// To carry gx, gy and the magnitude along with the contour would take 6 rows of 31 bits in line
+// memories; six rows of pixels take 48 and a second kernel.
 //
-//   gx = (H + 4 A) / 512, gy = (V + 4 B) / 512   see derivatives, slope_rounding
+//   slot and column in   the tail of gradient's window
+//   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order
 //
-//   slot in          the tail of gradient's window
-//   valid_o, data_o  {gy, gx} of the real pixels of every frame, in raster order
-//
-// Latency 2 rows + 2 columns + 13 clocks, 1 beat per clock. Border: gx = gy = 0.
+// Latency 2 columns + 13 clocks, 1 beat per clock. Border: all 0.
 module slope #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -22,19 +20,18 @@ module slope #(
     input  logic                       sof_i,
     input  logic                       real_i,
     input  logic [                1:0] fault_i,
-    input  logic [                7:0] data_i,
+    input  logic [               39:0] column_i,
     output logic                       valid_o,
-    output logic [2*FractionBits+15:0] data_o
+    output logic [3*FractionBits+21:0] data_o
 );
-  localparam int Latency = 11;
+  localparam int M = 6 + FractionBits;
+  localparam int S = 8 + FractionBits;
 
+  // Two clocks after column_i.
   logic valid, is_real, in_frame, valid_late, in_frame_late;
-  logic [39:0] column;
-  line_window #(
-      .Width(8),
-      .Columns(1),
+  slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
-  ) i_window (
+  ) i_tracker (
       .clk_i,
       .rst_ni,
       .valid_i,
@@ -42,8 +39,9 @@ module slope #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i,
-      .window_o(column),
+      .col_o(),
+      .valid1_o(),
+      .col1_o(),
       .valid_o(valid),
       .sol_o(),
       .eol_o(),
@@ -55,39 +53,35 @@ module slope #(
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .tail_data_o(),
       .end_o(),
       .end_fault_o()
   );
 
-  logic signed [14:0] h, v;
-  logic signed [13:0] a, b;
-  derivatives i_derivatives (
-      .clk_i,
-      .valid_i(valid),
-      .column_i(column),
-      .h_o(h),
-      .v_o(v),
-      .a_o(a),
-      .b_o(b)
-  );
-
-  logic signed [FractionBits+7:0] gx, gy;
-  slope_rounding #(
+  logic signed [S-1:0] gx, gy;
+  logic [2*S-1:0] vector_late;
+  logic [M-1:0] magnitude;
+  gradient_kernel #(
       .FractionBits(FractionBits)
-  ) i_rounding (
+  ) i_kernel (
       .clk_i,
-      .h_i (h),
-      .v_i (v),
-      .a_i (a),
-      .b_i (b),
+      .valid_i,
+      .column_i,
       .gx_o(gx),
-      .gy_o(gy)
+      .gy_o(gy),
+      .magnitude_o(magnitude)
   );
-
+  delay_line #(
+      .Width (2 * S),
+      .Clocks(2)
+  ) i_vector (
+      .clk_i,
+      .rst_ni,
+      .data_i({gy, gx}),
+      .data_o(vector_late)
+  );
   delay_line #(
       .Width (2),
-      .Clocks(Latency - 1)
+      .Clocks(9)
   ) i_slot (
       .clk_i,
       .rst_ni,
@@ -97,6 +91,6 @@ module slope #(
 
   always_ff @(posedge clk_i) begin
     valid_o <= rst_ni && valid_late;
-    data_o  <= in_frame_late ? {gy, gx} : '0;
+    data_o  <= in_frame_late ? {magnitude, vector_late} : '0;
   end
 endmodule

@@ -8,8 +8,8 @@ package trihedron_registers;
   localparam int GlobalBase = 0;
   localparam int GlobalWords = 16;
   localparam logic [511:0] GlobalWritable = {
-      32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
-      32'h000000ff, 32'h00003fff, 32'h000000ff, 32'h000001ff,
+      32'h00000000, 32'h00000000, 32'h00000000, 32'h0000001f,
+      32'h000001ff, 32'h00003fff, 32'h0000001f, 32'h000001ff,
       32'h0000ffff, 32'h000fffff, 32'h00000fff, 32'h0001ffff,
       32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000};
   localparam logic [511:0] GlobalSticky = {
@@ -18,8 +18,8 @@ package trihedron_registers;
       32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
       32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000};
   localparam logic [511:0] GlobalReset = {
-      32'h00000000, 32'h00000000, 32'h00000000, 32'h00000000,
-      32'h00000018, 32'h00000040, 32'h00000020, 32'h00000008,
+      32'h00000000, 32'h00000000, 32'h00000000, 32'h00000005,
+      32'h00000014, 32'h00000090, 32'h00000015, 32'h0000000c,
       32'h0000ffff, 32'h00010000, 32'h00000000, 32'h0000ffff,
       32'h00000000, 32'h00000000, 32'h00000100, 32'h54524548};
   localparam int IdWord = 0;
@@ -61,15 +61,18 @@ package trihedron_registers;
   localparam int NoiseFloorWord = 8;
   localparam int NoiseFloorMagnitudeBit = 256;
   localparam int NoiseFloorMagnitudeWidth = 9;
-  localparam int RelativeWeightWord = 9;
-  localparam int RelativeWeightWeightBit = 288;
-  localparam int RelativeWeightWeightWidth = 8;
+  localparam int MeanLimitWord = 9;
+  localparam int MeanLimitMeanBit = 288;
+  localparam int MeanLimitMeanWidth = 5;
   localparam int SupportWord = 10;
   localparam int SupportSumBit = 320;
   localparam int SupportSumWidth = 14;
-  localparam int MinStrengthWord = 11;
-  localparam int MinStrengthStrengthBit = 352;
-  localparam int MinStrengthStrengthWidth = 8;
+  localparam int BranchFloorWord = 11;
+  localparam int BranchFloorMagnitudeBit = 352;
+  localparam int BranchFloorMagnitudeWidth = 9;
+  localparam int MinTurnWord = 12;
+  localparam int MinTurnTurnBit = 384;
+  localparam int MinTurnTurnWidth = 5;
   localparam int ViewBase = 256;
   localparam int ViewWords = 16;
   localparam logic [511:0] ViewWritable = {

@@ -1,61 +1,118 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// Stage 4: vertices from the second contour and the gradient along it.
+//
+//   slope_*      {magnitude, gy, gx} of each real pixel, raster order; some clocks ahead of
+//   slot in      see slot_tracker; contour_i the second contour
+//   branch_floor_i, min_turn_i   thresholds, see direction, vertex_value
+//   vertex_*, end_*              see vertex_peak
+//
+// Latency 4 rows + 4 columns + 18 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
+// image is no vertex.
 module vertices #(
-    parameter int MaxWidthPx = 1920
+    parameter int MaxWidthPx   = 1920,
+    parameter int FractionBits = 3
 ) (
-    input  logic        clk_i,
-    input  logic        rst_ni,
-    input  logic [ 7:0] min_strength_i,
-    input  logic        valid_i,
-    input  logic        sol_i,
-    input  logic        sof_i,
-    input  logic        real_i,
-    input  logic [ 1:0] fault_i,
-    input  logic        data_i,
-    output logic        vertex_valid_o,
-    output logic [11:0] vertex_x_o,
-    output logic [11:0] vertex_y_o,
-    output logic [ 3:0] vertex_branches_o,
-    output logic [ 7:0] vertex_pattern_o,
-    output logic [ 7:0] vertex_strength_o,
-    output logic        end_valid_o,
-    output logic [ 1:0] end_fault_o
+    input  logic                       clk_i,
+    input  logic                       rst_ni,
+    input  logic [   FractionBits+5:0] branch_floor_i,
+    input  logic [                4:0] min_turn_i,
+    input  logic                       slope_valid_i,
+    input  logic [3*FractionBits+21:0] slope_data_i,
+    input  logic                       valid_i,
+    input  logic                       sol_i,
+    input  logic                       sof_i,
+    input  logic                       real_i,
+    input  logic [                1:0] fault_i,
+    input  logic                       contour_i,
+    output logic                       vertex_valid_o,
+    output logic [               11:0] vertex_x_o,
+    output logic [               11:0] vertex_y_o,
+    output logic [                3:0] vertex_branches_o,
+    output logic [                7:0] vertex_pattern_o,
+    output logic [                7:0] vertex_strength_o,
+    output logic                       end_valid_o,
+    output logic [                1:0] end_fault_o
 );
-  logic [24:0] window;
-  logic valid, in_frame, is_end;
-  logic [1:0] end_fault;
-  line_window #(
-      .Width(1),
-      .MaxWidthPx(MaxWidthPx)
-  ) i_window (
+  // The directions wait for the contour: 6 columns and some clocks.
+  logic direction_in_valid, direction_valid;
+  logic [7:0] direction_in, direction;
+  direction #(
+      .FractionBits(FractionBits)
+  ) i_direction (
       .clk_i,
       .rst_ni,
+      .branch_floor_i,
+      .valid_i(slope_valid_i),
+      .data_i (slope_data_i),
+      .valid_o(direction_in_valid),
+      .data_o (direction_in)
+  );
+  stream_fifo #(
+      .Width(8),
+      .Depth(64)
+  ) i_directions (
+      .clk_i,
+      .rst_ni,
+      .push_i(direction_in_valid),
+      .data_i(direction_in),
+      .level_o(),
+      .m_tvalid_o(direction_valid),
+      .m_tready_i(valid_i && real_i),
+      .m_tdata_o(direction)
+  );
+
+  logic value_valid, value_sol, value_sof, value_real;
+  logic [1:0] value_fault;
+  logic [7:0] strength, pattern;
+  logic [2:0] branches;
+  vertex_value #(
+      .MaxWidthPx(MaxWidthPx)
+  ) i_value (
+      .clk_i,
+      .rst_ni,
+      .min_turn_i,
       .valid_i,
       .sol_i,
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i,
-      .window_o(window),
-      .valid_o(valid),
-      .sol_o(),
-      .eol_o(),
-      .sof_o(),
-      .real_o(),
-      .fault_o(),
-      .inside_o(in_frame),
-      .tail_sol_o(),
-      .tail_sof_o(),
-      .tail_real_o(),
-      .tail_fault_o(),
-      .tail_data_o(),
-      .end_o(is_end),
-      .end_fault_o(end_fault)
+      .data_i(contour_i ? direction : '0),
+      .valid_o(value_valid),
+      .sol_o(value_sol),
+      .sof_o(value_sof),
+      .real_o(value_real),
+      .fault_o(value_fault),
+      .strength_o(strength),
+      .branches_o(branches),
+      .pattern_o(pattern)
   );
+
+  vertex_peak #(
+      .MaxWidthPx(MaxWidthPx)
+  ) i_peak (
+      .clk_i,
+      .rst_ni,
+      .valid_i(value_valid),
+      .sol_i(value_sol),
+      .sof_i(value_sof),
+      .real_i(value_real),
+      .fault_i(value_fault),
+      .strength_i(strength),
+      .branches_i(branches),
+      .pattern_i(pattern),
+      .vertex_valid_o,
+      .vertex_x_o,
+      .vertex_y_o,
+      .vertex_branches_o,
+      .vertex_pattern_o,
+      .vertex_strength_o,
+      .end_valid_o,
+      .end_fault_o
+  );
+
+  // Every contour pixel finds its direction waiting.
   always_ff @(posedge clk_i) begin
-    vertex_valid_o <= rst_ni && valid && in_frame && window[12] && &window[24:20];
-    {vertex_x_o, vertex_y_o, vertex_branches_o, vertex_pattern_o} <= '0;
-    vertex_strength_o <= min_strength_i;
-    end_valid_o <= rst_ni && valid && is_end;
-    end_fault_o <= end_fault;
+    if (rst_ni && valid_i && real_i) assert (direction_valid);
   end
 endmodule

@@ -2,8 +2,8 @@
 //
 // One camera's pipeline: pixels in, contour stream and vertex records out.
 //
-//   frame_guard -> row_slots -> gradient -> first_contour -> second_contour -> vertices
-//                                   \-> slope ----------------> contour_packer     \-> vertex_packer
+//   frame_guard -> row_slots -> gradient -> first_contour -> ridge -> second_contour -> vertices
+//                                   \-> slope ---------------------> contour_packer       \-> vertex_packer
 //
 // Beats flow through the stages without ever stalling: a pixel enters only when both packers
 // have room for everything that is under way.
@@ -16,7 +16,7 @@
 //                      of its first line is accepted, unless hold_i
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 6 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 8 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
@@ -32,9 +32,10 @@ module view_pipeline #(
     input  logic [            19:0] flush_timeout_i,
     input  logic [            15:0] vertex_limit_i,
     input  logic [FractionBits+5:0] noise_floor_i,
-    input  logic [             7:0] relative_weight_i,
+    input  logic [             4:0] mean_limit_i,
     input  logic [FractionBits+10:0] support_i,
-    input  logic [             7:0] min_strength_i,
+    input  logic [FractionBits+5:0] branch_floor_i,
+    input  logic [             4:0] min_turn_i,
     output logic [             7:0] event_o,
     output logic                    frame_done_o,
     output logic [            15:0] sent_o,
@@ -57,17 +58,18 @@ module view_pipeline #(
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int RingBits = $clog2(MaxWidthPx + 16);
   localparam int MagnitudeBits = FractionBits + 6;
-  localparam int SettingsBits = 16 + MagnitudeBits + 8 + (MagnitudeBits + 5) + 8;
+  localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + MagnitudeBits + 5;
 
   // Settings of the frames in flight.
   logic [SettingsBits-1:0] settings, settings_q;
   logic settings_changed_q, load;
   logic [15:0] limit;
-  logic [MagnitudeBits-1:0] noise_floor;
-  logic [7:0] relative_weight, min_strength;
+  logic [MagnitudeBits-1:0] noise_floor, branch_floor;
+  logic [4:0] mean_limit, min_turn;
   logic [MagnitudeBits+4:0] support;
-  assign settings = {vertex_limit_i, noise_floor_i, relative_weight_i, support_i, min_strength_i};
-  assign {limit, noise_floor, relative_weight, support, min_strength} = settings_q;
+  assign settings = {vertex_limit_i, noise_floor_i, mean_limit_i, support_i,
+                     branch_floor_i, min_turn_i};
+  assign {limit, noise_floor, mean_limit, support, branch_floor, min_turn} = settings_q;
   always_ff @(posedge clk_i) begin
     settings_changed_q <= !hold_i && settings != settings_q;
     if (load && !hold_i) settings_q <= settings;
@@ -156,7 +158,7 @@ module view_pipeline #(
   logic tail_valid, tail_sol, tail_sof, tail_real;
   logic [1:0] gradient_fault, tail_fault;
   logic [MagnitudeBits+1:0] gradient_data;
-  logic [7:0] tail_data;
+  logic [39:0] tail_column;
   gradient #(
       .MaxWidthPx  (MaxWidthPx),
       .FractionBits(FractionBits)
@@ -180,11 +182,11 @@ module view_pipeline #(
       .tail_sof_o(tail_sof),
       .tail_real_o(tail_real),
       .tail_fault_o(tail_fault),
-      .tail_data_o(tail_data)
+      .tail_column_o(tail_column)
   );
 
   logic slope_valid;
-  logic [2*FractionBits+15:0] slope_data;
+  logic [3*FractionBits+21:0] slope_data;
   slope #(
       .MaxWidthPx  (MaxWidthPx),
       .FractionBits(FractionBits)
@@ -196,7 +198,7 @@ module view_pipeline #(
       .sof_i(tail_sof),
       .real_i(tail_real),
       .fault_i(tail_fault),
-      .data_i(tail_data),
+      .column_i(tail_column),
       .valid_o(slope_valid),
       .data_o(slope_data)
   );
@@ -211,7 +213,7 @@ module view_pipeline #(
       .clk_i,
       .rst_ni,
       .noise_floor_i(noise_floor),
-      .relative_weight_i(relative_weight),
+      .mean_limit_i(mean_limit),
       .valid_i(gradient_valid),
       .sol_i(gradient_sol),
       .sof_i(gradient_sof),
@@ -226,22 +228,44 @@ module view_pipeline #(
       .data_o(first_data)
   );
 
-  logic second_valid, second_sol, second_eol, second_sof, second_real;
-  logic [1:0] second_fault;
-  logic [MagnitudeBits+1:0] second_data;
-  second_contour #(
+  logic ridge_valid, ridge_sol, ridge_sof, ridge_real;
+  logic [1:0] ridge_fault;
+  logic [2:0] ridge_data;
+  ridge #(
       .MaxWidthPx   (MaxWidthPx),
       .MagnitudeBits(MagnitudeBits)
-  ) i_second_contour (
+  ) i_ridge (
       .clk_i,
       .rst_ni,
       .support_i(support),
+      .noise_floor_i(noise_floor),
       .valid_i(first_valid),
       .sol_i(first_sol),
       .sof_i(first_sof),
       .real_i(first_real),
       .fault_i(first_fault),
       .data_i(first_data),
+      .valid_o(ridge_valid),
+      .sol_o(ridge_sol),
+      .sof_o(ridge_sof),
+      .real_o(ridge_real),
+      .fault_o(ridge_fault),
+      .data_o(ridge_data)
+  );
+
+  logic second_valid, second_sol, second_eol, second_sof, second_real;
+  logic [1:0] second_fault, second_data;
+  second_contour #(
+      .MaxWidthPx(MaxWidthPx)
+  ) i_second_contour (
+      .clk_i,
+      .rst_ni,
+      .valid_i(ridge_valid),
+      .sol_i(ridge_sol),
+      .sof_i(ridge_sof),
+      .real_i(ridge_real),
+      .fault_i(ridge_fault),
+      .data_i(ridge_data),
       .valid_o(second_valid),
       .sol_o(second_sol),
       .eol_o(second_eol),
@@ -277,17 +301,21 @@ module view_pipeline #(
   logic [7:0] vertex_pattern, vertex_strength;
   logic [1:0] end_fault;
   vertices #(
-      .MaxWidthPx(MaxWidthPx)
+      .MaxWidthPx  (MaxWidthPx),
+      .FractionBits(FractionBits)
   ) i_vertices (
       .clk_i,
       .rst_ni,
-      .min_strength_i(min_strength),
+      .branch_floor_i(branch_floor),
+      .min_turn_i(min_turn),
+      .slope_valid_i(slope_valid),
+      .slope_data_i(slope_data),
       .valid_i(second_valid),
       .sol_i(second_sol),
       .sof_i(second_sof),
       .real_i(second_real),
       .fault_i(second_fault),
-      .data_i(second_data[MagnitudeBits]),
+      .contour_i(second_data[0]),
       .vertex_valid_o(vertex_valid),
       .vertex_x_o(vertex_x),
       .vertex_y_o(vertex_y),

@@ -64,19 +64,23 @@ constexpr Field kVertexLimitVertices{kVertexLimit, 0, 16, 0xffff};  ///< records
 
 /// First contour: smallest magnitude of a contour pixel.
 constexpr std::uint32_t kNoiseFloor = 0x020;
-constexpr Field kNoiseFloorMagnitude{kNoiseFloor, 0, 9, 0x8};  ///< 1/8 grey level per px
+constexpr Field kNoiseFloorMagnitude{kNoiseFloor, 0, 9, 0xc};  ///< 1/8 grey level per px
 
-/// First contour: smallest weight of the centre against its window.
-constexpr std::uint32_t kRelativeWeight = 0x024;
-constexpr Field kRelativeWeightWeight{kRelativeWeight, 0, 8, 0x20};  ///< 1/8 of the centre's magnitude
+/// First contour: the mean of the neighbours not above the centre stays below this part of it.
+constexpr std::uint32_t kMeanLimit = 0x024;
+constexpr Field kMeanLimitMean{kMeanLimit, 0, 5, 0x15};  ///< 1/32 of the centre's magnitude
 
 /// Second contour: smallest sum of the window's first contour magnitudes.
 constexpr std::uint32_t kSupport = 0x028;
-constexpr Field kSupportSum{kSupport, 0, 14, 0x40};  ///< 1/8 grey level per px
+constexpr Field kSupportSum{kSupport, 0, 14, 0x90};  ///< 1/8 grey level per px
 
-/// Vertices: smallest curvature value of a vertex.
-constexpr std::uint32_t kMinStrength = 0x02c;
-constexpr Field kMinStrengthStrength{kMinStrength, 0, 8, 0x18};  ///< curvature value
+/// Vertices: smallest magnitude of a vertex branch.
+constexpr std::uint32_t kBranchFloor = 0x02c;
+constexpr Field kBranchFloorMagnitude{kBranchFloor, 0, 9, 0x14};  ///< 1/8 grey level per px
+
+/// Vertices: smallest turn of the gradient between two strong branches.
+constexpr std::uint32_t kMinTurn = 0x030;
+constexpr Field kMinTurnTurn{kMinTurn, 0, 5, 0x5};  ///< 1/64 of a full turn
 
 /// One block per view.
 constexpr std::uint32_t kViewBase = 0x100;

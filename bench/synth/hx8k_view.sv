@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One view on an iCE40 HX8K: view_pipeline with settings shifted in serially and the constant
+// bits of its streams left out, so that the ports fit the package's 206 pins.
+module hx8k_view #(
+    parameter int MaxWidthPx = 512
+) (
+    input  logic        clk_i,
+    input  logic        rst_ni,
+    input  logic        settings_shift_i,
+    input  logic        settings_bit_i,
+    input  logic        s_axis_tvalid,
+    output logic        s_axis_tready,
+    input  logic [ 7:0] s_axis_tdata,
+    input  logic        s_axis_tuser,
+    input  logic        s_axis_tlast,
+    output logic        m_axis_contour_tvalid,
+    input  logic        m_axis_contour_tready,
+    output logic [32:0] m_axis_contour_tdata,
+    output logic        m_axis_contour_tuser,
+    output logic        m_axis_contour_tlast,
+    output logic        m_axis_vertex_tvalid,
+    input  logic        m_axis_vertex_tready,
+    output logic [63:0] m_axis_vertex_tdata,
+    output logic        m_axis_vertex_tlast,
+    output logic        event_o
+);
+  localparam int SettingsBits = 100;
+  logic [SettingsBits-1:0] settings_q;
+  always_ff @(posedge clk_i) begin
+    if (settings_shift_i) settings_q <= {settings_q[SettingsBits-2:0], settings_bit_i};
+  end
+
+  logic [63:0] contour;
+  logic [7:0] events;
+  logic frame_done;
+  logic [15:0] sent, lost;
+  assign m_axis_contour_tdata = {contour[50:40], contour[34:24], contour[16:8], contour[1:0]};
+  always_ff @(posedge clk_i) event_o <= ^{events, frame_done, sent, lost};
+
+  view_pipeline #(
+      .MaxWidthPx (MaxWidthPx),
+      .MaxHeightPx(512)
+  ) i_view (
+      .clk_i,
+      .rst_ni,
+      .enable_i(settings_q[0]),
+      .hold_i(settings_q[1]),
+      .frame_height_i(settings_q[2+:12]),
+      .flush_timeout_i(settings_q[14+:20]),
+      .vertex_limit_i(settings_q[34+:16]),
+      .noise_floor_i(settings_q[50+:9]),
+      .mean_limit_i(settings_q[59+:5]),
+      .support_i(settings_q[64+:14]),
+      .min_strength_i(settings_q[78+:8]),
+      .event_o(events),
+      .frame_done_o(frame_done),
+      .sent_o(sent),
+      .lost_o(lost),
+      .s_axis_tvalid,
+      .s_axis_tready,
+      .s_axis_tdata,
+      .s_axis_tuser,
+      .s_axis_tlast,
+      .m_axis_contour_tvalid,
+      .m_axis_contour_tready,
+      .m_axis_contour_tdata(contour),
+      .m_axis_contour_tuser,
+      .m_axis_contour_tlast,
+      .m_axis_vertex_tvalid,
+      .m_axis_vertex_tready,
+      .m_axis_vertex_tdata,
+      .m_axis_vertex_tlast
+  );
+endmodule
