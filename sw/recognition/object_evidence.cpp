@@ -15,6 +15,8 @@ constexpr double kExactPx = 1.0;
 constexpr double kContourPx = 1.8;
 /// Two lines nearer than about this share one contour, px.
 constexpr double kMergedPx = 3.5;
+/// Predicted lines of two objects within this are one contour, px.
+constexpr double kSharedPx = 2.0;
 /// Contours within this of a predicted line belong to it, px.
 constexpr double kExplainedPx = 3.0;
 
@@ -31,7 +33,7 @@ bool explained(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double w
   return false;
 }
 
-enum class Finding { kFound, kDisplaced, kFlat, kOutside };
+enum class Finding { kFound, kDisplaced, kFlat, kSilent };
 
 /// The mean grey step along the points of a piece that show no contour, against places beside.
 struct FaintStep {
@@ -56,11 +58,14 @@ struct FaintStep {
 
 struct Collector {
   const FieldView& view;
-  const std::vector<VisibleEdge>& lines;  // of all objects
-  double least_px, reach_px;              // displacements that count
+  const std::vector<VisibleEdge>& lines;   // of all objects
+  const std::vector<VisibleEdge>& others;  // of all but the one in question
+  double least_px, reach_px;               // displacements that count
   std::vector<double> hits;
 
   Finding look(const EdgePoint& p, double& displacement) {
+    // A contour proves one object only: where another one's line runs, nothing is learnt.
+    if (explained(p.x, p.normal, kSharedPx, others)) return Finding::kSilent;
     if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, displacement);
     const EdgeProfile profile = view.field->profile(p.x, p.normal);
     const bool clear = std::abs(profile.height) > kClearHeight * profile.sigma_height;
@@ -81,7 +86,7 @@ struct Collector {
       displacement = d;
       return Finding::kDisplaced;
     }
-    return view.field->inside(p.x, ContourField::kProfilePx) ? Finding::kFlat : Finding::kOutside;
+    return view.field->inside(p.x, ContourField::kProfilePx) ? Finding::kFlat : Finding::kSilent;
   }
 
   /// Whether the contour of a found piece runs straight on beyond its end (towards `out`).
@@ -176,14 +181,13 @@ void settle(PieceEvidence& piece, const std::vector<Beside>& beside, int found) 
 void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& objects, int index,
                   ObjectEvidence& out) {
   const auto lines = visible_edges(*view.camera, objects);
-  std::vector<VisibleEdge> own;
-  for (const VisibleEdge& line : lines) {
-    if (line.object == index) own.push_back(line);
-  }
+  std::vector<VisibleEdge> own, others;
+  for (const VisibleEdge& line : lines) (line.object == index ? own : others).push_back(line);
   const PlacedModel& placed = objects[index];
   const double px_per_mm = view.camera->px_per_mm_at(placed.world_from_model.t);
   Collector collector{view,
                       lines,
+                      others,
                       std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
                       kSimilarShapes * placed.model->diameter * px_per_mm,
                       {}};
@@ -206,7 +210,7 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
     for (const int at = points[i].piece; i < points.size() && points[i].piece == at; ++i) {
       double displacement = 0;
       const Finding finding = collector.look(points[i], displacement);
-      piece.points += finding != Finding::kOutside;
+      piece.points += finding != Finding::kSilent;
       if (finding == Finding::kFlat) faint.add(*view.field, points[i]);
       found += finding == Finding::kFound;
       if (finding == Finding::kDisplaced) {

@@ -53,29 +53,37 @@ double mixture(const PieceEvidence& piece, double elsewhere) {
          kWeakShare * likelihood(piece, kWeak) + elsewhere * likelihood_elsewhere(piece);
 }
 
-/// Pieces of one surface in one view are found for one reason, its contrast, or not found for
-/// the same reason: the longest found and the longest flat piece speak for all. Displaced ones
-/// speak each for itself.
-std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evidence) {
-  std::vector<const PieceEvidence*> out;
-  std::map<std::array<int, 3>, const PieceEvidence*> longest;
+/// Surfaces with the same normal are equally bright, so that pieces without contrast which they
+/// show in one view have one cause: the longest speaks for all.
+std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evidence,
+                                                     const Model& model) {
+  constexpr double kSameNormal = 0.98;  // cosine, 11 degrees
+  std::vector<const PieceEvidence*> out, flat;
   for (const PieceEvidence& piece : evidence.pieces) {
     if (piece.length_px < kShortPx) continue;
-    if (piece.displaced >= 0.5) {
+    if (piece.flat < 0.5) {
       out.push_back(&piece);
       continue;
     }
-    const PieceEvidence*& other = longest[{piece.view, piece.surface, piece.flat >= 0.5}];
-    if (!other || piece.length_px > other->length_px) other = &piece;
+    const auto same = std::find_if(flat.begin(), flat.end(), [&](const PieceEvidence* other) {
+      return other->view == piece.view && model.surfaces[other->surface].normal.dot(
+                                              model.surfaces[piece.surface].normal) > kSameNormal;
+    });
+    if (same == flat.end()) {
+      flat.push_back(&piece);
+    } else if (piece.length_px > (*same)->length_px) {
+      *same = &piece;
+    }
   }
-  for (const auto& entry : longest) out.push_back(entry.second);
+  out.insert(out.end(), flat.begin(), flat.end());
   return out;
 }
 
-/// Log odds of "all edges as the model says" against "an unknown share of them elsewhere",
-/// every share from the spoilt one up to all equally likely on a logarithmic scale.
+/// Log odds of "all edges as the model says" against "a fair share of them elsewhere". Of the
+/// poses that come so far, about ten agree in part for one that is right.
 double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
-  constexpr double kShares[] = {0.05, 0.1, 0.2, 0.4, 0.8};
+  constexpr double kShares[] = {0.2, 0.4, 0.8};
+  constexpr double kPriorOdds = 10;
   double there = 0;
   for (const PieceEvidence* piece : pieces) there += std::log(mixture(*piece, kSpoiltShare));
   double elsewhere = 0;
@@ -84,7 +92,7 @@ double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
     for (const PieceEvidence* piece : pieces) log += std::log(mixture(*piece, share));
     elsewhere += std::exp(std::min(log - there, 600.0)) / std::size(kShares);
   }
-  return -std::log(std::max(elsewhere, 1e-300));
+  return -std::log(kPriorOdds * std::max(elsewhere, 1e-300));
 }
 
 /// Log odds of "there" against "not what this view sees" (a pose wrong in depth, say), for the
@@ -224,7 +232,7 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<ChanceMode
                const VerificationOptions& options) {
   Verdict out;
   judge_chance(chance, evidence, options.tests, out);
-  const auto pieces = independent_pieces(evidence);
+  const auto pieces = independent_pieces(evidence, *objects[index].model);
   out.log_against_similar = log_against_similar(pieces);
   out.log_against_unseen = log_against_unseen(pieces, static_cast<int>(views.size()));
   const Model& model = *objects[index].model;
