@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/image.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <limits>
@@ -20,6 +22,27 @@ bool is_cut_png(const std::string& bytes) {
   return bytes.compare(1, 3, "PNG") == 0 && bytes.find("IEND", bytes.size() - 12) == bytes.npos;
 }
 
+/// Keeps libpng's and libjpeg's own lines off standard error: the caller reports in one line.
+class QuietDecoders {
+ public:
+  QuietDecoders() : kept_(dup(STDERR_FILENO)) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (nowhere < 0) return;
+    dup2(nowhere, STDERR_FILENO);
+    close(nowhere);
+  }
+  ~QuietDecoders() {
+    if (kept_ < 0) return;
+    dup2(kept_, STDERR_FILENO);
+    close(kept_);
+  }
+  QuietDecoders(const QuietDecoders&) = delete;
+  QuietDecoders& operator=(const QuietDecoders&) = delete;
+
+ private:
+  int kept_;
+};
+
 }  // namespace
 
 cv::Mat read_grey(const std::filesystem::path& file) {
@@ -29,6 +52,7 @@ cv::Mat read_grey(const std::filesystem::path& file) {
   if (is_cut_png(bytes)) throw Error(file.string() + ": the image is cut off" + expected);
   cv::Mat grey;
   try {
+    const QuietDecoders quiet;
     grey = cv::imdecode(
         cv::Mat(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data())),
         cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh.hpp"
 
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
@@ -59,15 +58,10 @@ Mesh read_mesh(const std::filesystem::path& file) {
   if (!is_mesh_name(file))
     throw Error(name + ": not a mesh that can be read; expected a .ply, .obj, .stl or .off file");
   require_file(file, "a mesh");
-  if (ending_of(file) == ".off") return triangulate(read_off(file));
+  if (ending_of(file) == ".off") return triangulate(name, read_off(file));
+  if (ending_of(file) == ".ply") return triangulate(name, read_ply(file));
   Assimp::Importer importer;
-  // Normals and colours would keep equal positions apart.
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
-                              aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                  aiComponent_COLORS | aiComponent_TEXCOORDS |
-                                  aiComponent_MATERIALS | aiComponent_TEXTURES);
-  const aiScene* scene =
-      importer.ReadFile(name, aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
+  const aiScene* scene = importer.ReadFile(name, 0);  // post-processing trusts the indices
   if (scene == nullptr || scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
     std::string why = importer.GetErrorString();
     std::replace(why.begin(), why.end(), '\n', ' ');
@@ -76,7 +70,7 @@ Mesh read_mesh(const std::filesystem::path& file) {
   }
   Polygons polygons;
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), polygons);
-  return triangulate(polygons);
+  return triangulate(name, polygons);
 }
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {

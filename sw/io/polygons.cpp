@@ -80,10 +80,14 @@ std::pair<int, int> read_counts(Lines& lines) {
 
 }  // namespace
 
-Mesh triangulate(const Polygons& polygons) {
+Mesh triangulate(const std::string& name, const Polygons& polygons) {
+  const int count = static_cast<int>(polygons.vertices.size());
   Mesh mesh;
   mesh.vertices = polygons.vertices;
   for (const std::vector<int>& face : polygons.faces) {
+    for (int v : face)
+      if (v < 0 || v >= count)
+        throw Error(fmt::format("{}: a face uses vertex {}; expected 0 to {}", name, v, count - 1));
     if (face.size() == 3) {
       mesh.triangles.push_back({face[0], face[1], face[2]});
       continue;

@@ -79,6 +79,10 @@ TEST_CASE("a scene that cannot be read is named on one line with exit code 2") {
              Contains("gray/000001.png: the image is 450 x 3 px"));
   scratch.write("000001/gray/000001.png", "not an image, but long enough");
   CHECK_THAT(message(scene + " --models " + kModels), Contains("000001.png: not a readable image"));
+  std::string png = read_whole(kStudioScene + "/gray/000001.png", "an image");
+  png[png.size() / 2] ^= 1;  // libpng has words of its own for this
+  scratch.write("000001/gray/000001.png", png);
+  CHECK_THAT(message(scene + " --models " + kModels), Contains("000001.png: not a readable image"));
   scratch.write("000001/scene_camera.json", "{\"0\": [1, 2");
   CHECK_THAT(message(scene + " --models " + kModels),
              Contains("scene_camera.json: broken JSON: parse error at line 1"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Meshes that nobody here made: those of Debian's libcgal-demo, where it is installed.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <cstdlib>
 
 #include "io/mesh.hpp"
@@ -94,7 +96,7 @@ TEST_CASE("an OFF file's comments, blank lines and colours do not disturb") {
   const Polygons polygons = read_off(file);
   CHECK(polygons.vertices.size() == 4);
   CHECK(polygons.faces.size() == 4);
-  CHECK(build_model(1, "a", triangulate(polygons)).surfaces.size() == 4);
+  CHECK(build_model(1, "a", triangulate("a", polygons)).surfaces.size() == 4);
 }
 
 TEST_CASE("a broken OFF file is named with its line") {
@@ -112,11 +114,63 @@ TEST_CASE("a broken OFF file is named with its line") {
   CHECK_THAT(message("OFF\n-3 1 0\n"), Contains("line 2: not a count"));
 }
 
+TEST_CASE("PLY reads the same from ASCII and from binary of both byte orders") {
+  const Scratch scratch;
+  const float corners[4][3] = {{0, 0, 0}, {40, 0, 0}, {0, 50, 0}, {0, 0, 60}};
+  const std::int32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  for (bool big : {false, true}) {
+    std::string bytes = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                        "_endian 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty "
+                        "uchar red\nproperty float y\nproperty float z\nelement face 4\nproperty "
+                        "list uchar int vertex_index\nend_header\n";
+    const auto add = [&](const auto& value) {
+      std::string raw(reinterpret_cast<const char*>(&value), sizeof value);
+      if (big) std::reverse(raw.begin(), raw.end());
+      bytes += raw;
+    };
+    for (const auto& x : corners) {
+      add(x[0]);
+      bytes += '\xff';
+      add(x[1]);
+      add(x[2]);
+    }
+    for (const auto& f : faces) {
+      bytes += '\3';
+      for (std::int32_t v : f) add(v);
+    }
+    const Polygons polygons = read_ply(scratch.write("a.ply", bytes));
+    REQUIRE(polygons.vertices.size() == 4);
+    CHECK(polygons.vertices[3].z() == 60);
+    CHECK(polygons.faces[3] == std::vector<int>{2, 0, 3});
+    CHECK_THAT(
+        error_of([&] { read_ply(scratch.write("b.ply", bytes.substr(0, bytes.size() - 1))); }),
+        Contains("b.ply: the file ends too early"));
+  }
+}
+
+TEST_CASE("a broken PLY file is named with what is wrong") {
+  const Scratch scratch;
+  const auto message = [&](const std::string& text) {
+    const auto file = scratch.write("a.ply", text);
+    return error_of([&] { read_mesh(file); });
+  };
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+      "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  CHECK_THAT(message("ply\nformat ascii 1.0\n"), Contains("a.ply: the header has no end_header"));
+  CHECK_THAT(message("plx\n"), Contains("does not begin with"));
+  CHECK_THAT(message("ply\nformat text 1.0\nend_header\n"), Contains("unknown format \"text\""));
+  CHECK_THAT(message(header + "0 0 0 1 0 0 0 1"), Contains("the file ends too early"));
+  CHECK_THAT(message(header + "0 0 0 1 0 0 0 a 0 3 0 1 2"), Contains("a word is no number"));
+  CHECK_THAT(message(header + "0 0 0 1 0 0 0 1 0 3 0 1 3"), Contains("a face uses vertex 3"));
+  CHECK_THAT(message(header + "0 0 0 1 0 0 0 1 0 3 0 1 -2"), Contains("-2 is no vertex"));
+}
+
 TEST_CASE("a concave polygon is cut along its inside") {
   Polygons polygons;
   polygons.vertices = {{0, 0, 0}, {40, 0, 0}, {40, 40, 0}, {20, 10, 0}, {0, 40, 0}};
   polygons.faces = {{0, 1, 2, 3, 4}};
-  const Mesh mesh = triangulate(polygons);
+  const Mesh mesh = triangulate("a", polygons);
   REQUIRE(mesh.triangles.size() == 3);
   double area = 0;
   for (const auto& t : mesh.triangles) {
