@@ -131,6 +131,7 @@ class PairCrosser {
     const double b = px_per_mm_along(views_[b_].ideal, x, line_.direction);
     mm_per_px_ = 1 / std::max(std::min(a, b), 1e-6);
     weight_a_ = a * a / (a * a + b * b);
+    end_mm_per_px_ = 1 / std::max(std::sqrt(a * a + b * b), 1e-6);
     return true;
   }
 
@@ -160,6 +161,7 @@ class PairCrosser {
     e.direction = line_.direction;
     e.length = high - low;
     e.mm_per_px = mm_per_px_;
+    e.end_mm_per_px = end_mm_per_px_;
     out.push_back(std::move(e));
   }
 
@@ -168,7 +170,7 @@ class PairCrosser {
   double tolerance_px_, min_sine_;
   SpaceLine line_;
   std::size_t segment_a_ = 0, segment_b_ = 0;
-  double mm_per_px_ = 0, weight_a_ = 0;
+  double mm_per_px_ = 0, end_mm_per_px_ = 0, weight_a_ = 0;
   std::vector<double> along_a_, along_b_, agreed_;
 };
 

@@ -37,161 +37,171 @@ Cells around(const Segment& s, double reach, int columns, int rows) {
 }  // namespace
 
 Evidence::Evidence(const std::vector<ViewLines>& views, const EvidenceOptions& options)
-    : views_(views), options_(options), cosine_(std::cos(options.tolerance_rad)) {
-  int count = 0;
+    : views_(views), options_(options) {
+  constexpr double kPi = 3.14159265358979323846;
   for (const ViewLines& v : views) {
-    first_.push_back(count);
-    count += static_cast<int>(v.segments.size());
-    Grid g;
-    g.columns = std::max(1, static_cast<int>(std::ceil(v.width / kCellPx)));
-    g.rows = std::max(1, static_cast<int>(std::ceil(v.height / kCellPx)));
-    std::vector<std::vector<std::int32_t>> cells(static_cast<std::size_t>(g.columns * g.rows));
-    const double reach = options.tolerance_px + kCellPx * 0.7072;
+    grids_.push_back(make_grid(v));
     double covered = 0;
-    for (std::size_t i = 0; i < v.segments.size(); ++i) {
-      const Segment& s = v.segments[i];
-      covered += s.length * 2 * options.tolerance_px;
-      const Cells c = around(s, reach, g.columns, g.rows);
-      for (int y = c.y0; y <= c.y1; ++y) {
-        for (int x = c.x0; x <= c.x1; ++x) {
-          const Vector2d centre((x + 0.5) * kCellPx, (y + 0.5) * kCellPx);
-          if (distance(s, centre) > reach) continue;
-          cells[static_cast<std::size_t>(y * g.columns + x)].push_back(static_cast<int>(i));
-        }
-      }
-    }
-    g.start.push_back(0);
-    for (const auto& c : cells) {
-      g.segment.insert(g.segment.end(), c.begin(), c.end());
-      g.start.push_back(static_cast<std::int32_t>(g.segment.size()));
-    }
-    grids_.push_back(std::move(g));
+    for (const Segment& s : v.segments) covered += s.length * 2 * options.tolerance_px;
     // Chance of a sample of any direction to hit some segment, were they spread over the image.
-    const double chance = std::clamp(
-        covered / (v.width * v.height) * 2 * options.tolerance_rad / 3.14159265, 0.01, 0.3);
+    const double share = covered / (static_cast<double>(v.width) * v.height);
+    const double chance = std::clamp(share * 2 * options.tolerance_rad / kPi, 0.01, 0.3);
     log_hit_.push_back(std::log(options.hit_probability / chance));
     log_miss_.push_back(std::log((1 - options.hit_probability) / (1 - chance)));
   }
 }
 
-int Evidence::find(std::size_t view, const Vector2d& p, const Vector2d& direction) const {
-  const Grid& g = grids_[view];
-  const int x = static_cast<int>(p.x() / kCellPx), y = static_cast<int>(p.y() / kCellPx);
-  if (p.x() < 0 || p.y() < 0 || x >= g.columns || y >= g.rows) return -2;
-  const auto cell = static_cast<std::size_t>(y * g.columns + x);
-  int found = -1;
-  double best = options_.tolerance_px;
+Evidence::Grid Evidence::make_grid(const ViewLines& v) const {
+  Grid g;
+  g.columns = std::max(1, static_cast<int>(std::ceil(v.width / kCellPx)));
+  g.rows = std::max(1, static_cast<int>(std::ceil(v.height / kCellPx)));
+  std::vector<std::vector<std::int32_t>> cells(static_cast<std::size_t>(g.columns * g.rows));
+  const double reach = options_.tolerance_px + kCellPx * 0.7072;
+  for (std::size_t i = 0; i < v.segments.size(); ++i) {
+    const Segment& s = v.segments[i];
+    g.strokes.push_back({static_cast<float>(s.normal.x()), static_cast<float>(s.normal.y()),
+                         static_cast<float>(s.normal.dot(s.p0)),
+                         static_cast<float>(s.direction.dot(s.p0)), static_cast<float>(s.length)});
+    const Cells c = around(s, reach, g.columns, g.rows);
+    for (int y = c.y0; y <= c.y1; ++y) {
+      for (int x = c.x0; x <= c.x1; ++x) {
+        const Vector2d centre((x + 0.5) * kCellPx, (y + 0.5) * kCellPx);
+        if (distance(s, centre) > reach) continue;
+        cells[static_cast<std::size_t>(y * g.columns + x)].push_back(static_cast<int>(i));
+      }
+    }
+  }
+  g.start.push_back(0);
+  for (const auto& c : cells) {
+    g.segment.insert(g.segment.end(), c.begin(), c.end());
+    g.start.push_back(static_cast<std::int32_t>(g.segment.size()));
+  }
+  return g;
+}
+
+/// The segment nearest to an image position among those of about the direction (dx, dy).
+int Evidence::find(const Grid& g, float x, float y, float dx, float dy) const {
+  if (!(x >= 0 && y >= 0)) return kOutside;
+  const int column = static_cast<int>(x) / static_cast<int>(kCellPx);
+  const int row = static_cast<int>(y) / static_cast<int>(kCellPx);
+  if (column >= g.columns || row >= g.rows) return kOutside;
+  const auto cell = static_cast<std::size_t>(row * g.columns + column);
+  const auto reach = static_cast<float>(options_.tolerance_px);
+  const auto max_sine = static_cast<float>(options_.tolerance_rad);
+  int found = kMiss;
+  float best = reach;
   for (auto i = g.start[cell]; i < g.start[cell + 1]; ++i) {
     const int k = g.segment[static_cast<std::size_t>(i)];
-    const Segment& s = views_[view].segments[static_cast<std::size_t>(k)];
-    const double across = std::abs(s.distance(p));
-    if (across >= best || std::abs(s.direction.dot(direction)) < cosine_) continue;
-    const double t = s.along(p);
-    if (t < -options_.tolerance_px || t > s.length + options_.tolerance_px) continue;
+    const Stroke& s = g.strokes[static_cast<std::size_t>(k)];
+    const float across = std::abs(s.nx * x + s.ny * y - s.offset);
+    if (across >= best || std::abs(s.nx * dx + s.ny * dy) > max_sine) continue;
+    const float t = s.ny * x - s.nx * y - s.start;
+    if (t < -reach || t > s.length + reach) continue;
     best = across;
     found = k;
   }
   return found;
 }
 
-/// Calls visitor(view, edge, position along it 0..1, image position, segment or -1) for samples
-/// inside the images.
+/// Calls the visitor for samples, inside the image, of the edges that turn a surface to a view.
+template <typename Visitor>
+void Evidence::visit_view(std::size_t view, const Model& model, const Transform& pose,
+                          int max_samples, Visitor&& visitor) const {
+  thread_local std::vector<Eigen::Vector2f> image;
+  thread_local std::vector<char> facing;
+  const IdealView& ideal = views_[view].ideal;
+  const Eigen::Matrix3d A = ideal.matrix().leftCols<3>() * pose.R;
+  const Vector3d b = ideal.matrix().leftCols<3>() * pose.t + ideal.matrix().col(3);
+  image.clear();
+  for (const Vector3d& x : model.mesh.vertices) {
+    const Vector3d h = A * x + b;
+    if (h.z() < 1e-3) return;  // behind the camera
+    image.emplace_back(static_cast<float>(h.x() / h.z()), static_cast<float>(h.y() / h.z()));
+  }
+  facing.clear();
+  const Vector3d from = pose.R.transpose() * (ideal.centre() - pose.t);
+  const Vector3d axis = pose.R.transpose() * ideal.axis();
+  for (const Surface& s : model.surfaces) {
+    const bool front =
+        ideal.orthographic() ? s.normal.dot(axis) < 0 : s.normal.dot(from) > s.offset;
+    facing.push_back(front ? 1 : 0);
+  }
+  constexpr float kMinLengthPx = 5;  // shorter ones have no direction
+  for (const ModelEdge& e : model.edges) {
+    if (!facing[static_cast<std::size_t>(e.left)] && !facing[static_cast<std::size_t>(e.right)]) {
+      continue;
+    }
+    const Eigen::Vector2f p = image[static_cast<std::size_t>(e.v0)];
+    const Eigen::Vector2f d = image[static_cast<std::size_t>(e.v1)] - p;
+    const float length = d.norm();
+    if (length < kMinLengthPx) continue;
+    const int n = std::clamp(static_cast<int>(length / static_cast<float>(options_.sample_px)), 1,
+                             max_samples);
+    for (int k = 0; k < n; ++k) {
+      const float f = (static_cast<float>(k) + 0.5F) / static_cast<float>(n);
+      const int hit =
+          find(grids_[view], p.x() + f * d.x(), p.y() + f * d.y(), d.x() / length, d.y() / length);
+      if (hit != kOutside) visitor(Sample{view, &e, f, hit});
+    }
+  }
+}
+
 template <typename Visitor>
 void Evidence::visit(const Model& model, const Transform& pose, int max_samples,
                      Visitor&& visitor) const {
-  thread_local std::vector<Vector3d> world;
-  thread_local std::vector<Vector2d> image;
-  thread_local std::vector<char> facing;
-  world.clear();
-  for (const Vector3d& x : model.mesh.vertices) world.push_back(pose * x);
-  for (std::size_t v = 0; v < views_.size(); ++v) {
-    const IdealView& ideal = views_[v].ideal;
-    image.clear();
-    bool behind = false;
-    for (const Vector3d& x : world) {
-      behind = behind || ideal.depth(x) < 1e-3;
-      image.push_back(ideal.project(x));
-    }
-    if (behind) continue;
-    facing.clear();
-    for (const Surface& s : model.surfaces) {
-      const Vector3d on = world[static_cast<std::size_t>(s.loops[0][0])];
-      facing.push_back((pose.R * s.normal).dot(ideal.sight(on)) < 0 ? 1 : 0);
-    }
-    for (const ModelEdge& e : model.edges) {
-      if (!facing[static_cast<std::size_t>(e.left)] && !facing[static_cast<std::size_t>(e.right)]) {
-        continue;
-      }
-      const Vector2d p = image[static_cast<std::size_t>(e.v0)];
-      const Vector2d d = image[static_cast<std::size_t>(e.v1)] - p;
-      const double length = d.norm();
-      if (length < 5) continue;  // too short for a direction
-      const int n = std::clamp(static_cast<int>(length / options_.sample_px), 1, max_samples);
-      for (int k = 0; k < n; ++k) {
-        const double f = (k + 0.5) / n;
-        const Vector2d q = p + f * d;
-        const int hit = find(v, q, d / length);
-        if (hit != -2) visitor(v, e, f, q, hit);
-      }
-    }
-  }
+  for (std::size_t v = 0; v < views_.size(); ++v) visit_view(v, model, pose, max_samples, visitor);
 }
 
 double Evidence::score(const Model& model, const Transform& pose, int max_samples) const {
   double sum = 0;
   visit(model, pose, max_samples,
-        [&](std::size_t v, const ModelEdge&, double, const Vector2d&, int hit) {
-          sum += hit >= 0 ? log_hit_[v] : log_miss_[v];
-        });
+        [&](const Sample& s) { sum += s.segment >= 0 ? log_hit_[s.view] : log_miss_[s.view]; });
   return sum;
 }
 
-double Evidence::refine(const Model& model, Transform& pose) const {
+void Evidence::refine(const Model& model, Transform& pose, int max_samples) const {
   Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
   const Vector3d centre = pose * model.surfaces[0].centroid;
-  double sum = 0;
-  visit(model, pose, 8,
-        [&](std::size_t v, const ModelEdge& e, double f, const Vector2d& q, int hit) {
-          sum += hit >= 0 ? log_hit_[v] : log_miss_[v];
-          if (hit < 0) return;
-          const ViewLines& view = views_[v];
-          const auto k = static_cast<std::size_t>(hit);
-          const Vector3d x = pose * ((1 - f) * model.mesh.vertices[static_cast<std::size_t>(e.v0)] +
-                                     f * model.mesh.vertices[static_cast<std::size_t>(e.v1)]);
-          (void)q;
-          // Distance from the interpretation plane, in px at that depth.
-          const Plane& plane = view.planes[k];
-          const double scale = view.ideal.px_per_mm(x);
-          Eigen::Matrix<double, 6, 1> J;
-          J << (x - centre).cross(plane.normal), plane.normal;
-          J *= scale;
-          const double r = scale * plane.distance(x);
-          A += J * J.transpose();
-          b -= r * J;
-        });
-  // Half a pixel of prior per sample direction keeps unconstrained directions where they are.
-  A.diagonal().head<3>().array() += 1.0 * model.diameter * model.diameter / 4;
-  A.diagonal().tail<3>().array() += 1.0;
+  visit(model, pose, max_samples, [&](const Sample& s) {
+    if (s.segment < 0) return;
+    const ViewLines& view = views_[s.view];
+    const Vector3d x =
+        pose * ((1 - s.along) * model.mesh.vertices[static_cast<std::size_t>(s.edge->v0)] +
+                s.along * model.mesh.vertices[static_cast<std::size_t>(s.edge->v1)]);
+    // Distance from the plane of sight, in px at that depth.
+    const Plane& plane = view.planes[static_cast<std::size_t>(s.segment)];
+    const double scale = view.ideal.px_per_mm(x);
+    Eigen::Matrix<double, 6, 1> J;
+    J << (x - centre).cross(plane.normal), plane.normal;
+    J *= scale;
+    A += J * J.transpose();
+    b -= scale * plane.distance(x) * J;
+  });
+  // A sample's weight of prior keeps the motions that no segment constrains at rest.
+  A.diagonal().head<3>().array() += model.diameter * model.diameter / 4;
+  A.diagonal().tail<3>().array() += 1;
   const Eigen::Matrix<double, 6, 1> step = A.ldlt().solve(b);
   const Vector3d w = step.head<3>();
   const double angle = w.norm();
-  if (!(angle < 0.5)) return sum;
-  const Eigen::Matrix3d R = angle > 1e-12 ? Eigen::AngleAxisd(angle, w / angle).toRotationMatrix()
-                                          : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  constexpr double kLargestTurn = 0.5;  // beyond, the samples were not of this object
+  if (!(angle < kLargestTurn)) return;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  if (angle > 0) R = Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
   pose.t = R * (pose.t - centre) + centre + step.tail<3>();
   pose.R = R * pose.R;
-  return sum;
 }
 
-std::vector<int> Evidence::explained(const Model& model, const Transform& pose) const {
-  std::vector<int> out;
-  visit(model, pose, 8, [&](std::size_t v, const ModelEdge&, double, const Vector2d&, int hit) {
-    if (hit >= 0) out.push_back(first_[v] + hit);
+void Evidence::claim(const Model& model, const Transform& pose, double min_share,
+                     std::vector<std::vector<char>>& claimed) const {
+  int samples = 0;
+  std::vector<std::pair<std::size_t, std::size_t>> hits;
+  visit(model, pose, 8, [&](const Sample& s) {
+    ++samples;
+    if (s.segment >= 0) hits.emplace_back(s.view, static_cast<std::size_t>(s.segment));
   });
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
+  if (static_cast<double>(hits.size()) < min_share * samples) return;
+  for (const auto& [view, segment] : hits) claimed[view][segment] = 1;
 }
 
 }  // namespace trihedron

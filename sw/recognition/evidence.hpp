@@ -30,30 +30,48 @@ class Evidence {
   /// over samples along all edges that turn a surface to a camera. At most `max_samples` per edge.
   double score(const Model& model, const Transform& world_from_model, int max_samples) const;
 
-  /// The same, and moves the pose to reduce the distances of hit samples: one Gauss-Newton step.
-  double refine(const Model& model, Transform& world_from_model) const;
+  /// Moves the pose to reduce the distances of hit samples: one Gauss-Newton step.
+  void refine(const Model& model, Transform& world_from_model, int max_samples) const;
 
-  /// Segments (numbered through all views) that the pose's edges hit.
-  std::vector<int> explained(const Model& model, const Transform& world_from_model) const;
+  /// Marks the segments that the pose's edges hit, per view, if the hit share of all samples
+  /// reaches `min_share`.
+  void claim(const Model& model, const Transform& world_from_model, double min_share,
+             std::vector<std::vector<char>>& claimed) const;
 
  private:
-  struct Grid;
-  template <typename Visitor>
-  void visit(const Model& model, const Transform& pose, int max_samples, Visitor&& visitor) const;
-  int find(std::size_t view, const Eigen::Vector2d& p, const Eigen::Vector2d& direction) const;
+  /// A sample of a projected edge.
+  struct Sample {
+    std::size_t view;
+    const ModelEdge* edge;
+    double along;  ///< 0: at v0, 1: at v1
+    int segment;   ///< of the view, that it hits; kMiss or kOutside
+  };
+  static constexpr int kMiss = -1, kOutside = -2;
 
+  /// A segment as the look-up needs it.
+  struct Stroke {
+    float nx, ny, offset;  ///< distance of p: n . p - offset, px
+    float start, length;   ///< along (ny, -nx), px
+  };
   struct Grid {
     int columns = 0, rows = 0;
     std::vector<std::int32_t> start;    ///< per cell: its range in `segment`
     std::vector<std::int32_t> segment;  ///< segments that pass near the cell
+    std::vector<Stroke> strokes;        ///< per segment
   };
+
+  Grid make_grid(const ViewLines& view) const;
+  int find(const Grid& grid, float x, float y, float dx, float dy) const;
+  template <typename Visitor>
+  void visit(const Model& model, const Transform& pose, int max_samples, Visitor&& visitor) const;
+  template <typename Visitor>
+  void visit_view(std::size_t view, const Model& model, const Transform& pose, int max_samples,
+                  Visitor&& visitor) const;
 
   const std::vector<ViewLines>& views_;
   EvidenceOptions options_;
   std::vector<Grid> grids_;
-  std::vector<int> first_;  ///< per view: number of its first segment
   std::vector<double> log_hit_, log_miss_;
-  double cosine_;
 };
 
 }  // namespace trihedron

@@ -60,7 +60,7 @@ void rotations(const ModelCorner& c, const Vector3d& direction, const Vector3d& 
                Visitor&& visitor) {
   const Vector3d u = direction.unitOrthogonal(), w = direction.cross(u);
   const double sine = std::sin(c.angle), cosine = std::cos(c.angle);
-  const double a = n.dot(u), b = n.dot(w), rho = std::hypot(a, b);
+  const double a = n.dot(u), b = n.dot(w), rho = std::sqrt(a * a + b * b);
   // The plane turns with the edge: every roll would do.
   constexpr double kMinTilt = 0.05;
   if (rho < kMinTilt) return;
@@ -94,13 +94,17 @@ class Search {
     }
   }
 
-  /// Poses from pairs of edges that share an agreed end; their lengths are lower bounds.
-  void from_corners() {
+  /// Poses from pairs of edges that share an agreed end; their lengths are lower bounds. Corners
+  /// whose segments are both claimed (per view and segment) are left out.
+  void from_corners(const std::vector<std::vector<char>>& claimed) {
     for (std::size_t v = 0; v < views_.size(); ++v) {
       const std::vector<std::vector<End>> ends = ends_by_segment(v);
       for (const Corner& c : views_[v].corners) {
-        for (const End& a : ends[static_cast<std::size_t>(c.segment[0])]) {
-          for (const End& b : ends[static_cast<std::size_t>(c.segment[1])]) {
+        const auto s0 = static_cast<std::size_t>(c.segment[0]);
+        const auto s1 = static_cast<std::size_t>(c.segment[1]);
+        if (claimed[v][s0] && claimed[v][s1]) continue;
+        for (const End& a : ends[s0]) {
+          for (const End& b : ends[s1]) {
             if (!meet(a, b, v, c.p)) continue;
             match_corner(a, b);
             match_corner(b, a);
@@ -162,7 +166,7 @@ class Search {
     const Vector3d direction = end == 0 ? e.direction : Vector3d(-e.direction);
     const IdealView& view = views_[static_cast<std::size_t>(n.view)].ideal;
     const Vector2d p = view.project(x);
-    const double tolerance = options_.length_tolerance_px * e.mm_per_px;
+    const double tolerance = options_.length_tolerance_px * e.end_mm_per_px;
     for (const ModelCorner& c : index_.by_length(e.length - tolerance, e.length + tolerance)) {
       rotations(c, direction, n.plane.normal, [&](const Matrix3d& R, const Vector3d& aside) {
         if (!n.through) {
@@ -218,8 +222,15 @@ std::vector<PoseHypothesis> find_hypotheses(const std::vector<ViewLines>& views,
   PosePool pool(evidence, library, options);
   Search search(views, edges, index, options, pool);
   search.from_whole_edges();
-  search.from_corners();
-  std::vector<PoseHypothesis> out = pool.finish();
+  // Whole edges find most objects at little cost; corners are looked at for what is left.
+  std::vector<std::vector<char>> claimed;
+  for (const ViewLines& v : views) claimed.emplace_back(v.segments.size(), 0);
+  for (const PoseHypothesis& h : pool.settle()) {
+    evidence.claim(library[static_cast<std::size_t>(h.model)], h.world_from_model,
+                   options.claim_share, claimed);
+  }
+  search.from_corners(claimed);
+  const std::vector<PoseHypothesis> out = pool.settle();
   if (statistics != nullptr) {
     *statistics = {pool.offered(), pool.scored(), static_cast<int>(out.size())};
   }

@@ -20,7 +20,10 @@ struct PoseHypothesis {
 struct HypothesisOptions {
   double length_tolerance_px = 6;    ///< of an edge with two agreed ends: both ends are rounded
   double angle_tolerance_rad = 0.1;  ///< between two measured directions
-  int max_coarse = 3000;             ///< poses that are refined and scored finely
+  /// Poses from whole edges whose samples hit segments this often keep their segments from being
+  /// searched for corners: a wrong pose shares some edges with the truth, rarely most.
+  double claim_share = 0.7;
+  int max_coarse = 3000;  ///< poses that are refined and scored finely
   int max_hypotheses = 1000;
 };
 

@@ -37,6 +37,12 @@ class IdealView {
   Eigen::Vector3d sight(const Eigen::Vector3d& x) const {
     return orthographic_ ? axis_ : Eigen::Vector3d(x - centre_);
   }
+  const Eigen::Matrix<double, 3, 4>& matrix() const { return P_; }
+  bool orthographic() const { return orthographic_; }
+  /// Pinhole: where it stands. Orthographic: a point of its axis.
+  const Eigen::Vector3d& centre() const { return centre_; }
+  /// Unit, where it looks.
+  const Eigen::Vector3d& axis() const { return axis_; }
   /// px that one mm across the line of sight covers at x.
   double px_per_mm(const Eigen::Vector3d& x) const { return scale_ / depth(x); }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "recognition/crossing_error.hpp"
 #include "recognition/paper_positioning.hpp"
 
 namespace trihedron {
@@ -44,6 +45,8 @@ void make_surfaces(const std::array<PlanarView, 3>& planar, const RegionsByRole&
   const CrossingResult crossed = cross_views(planar, regions, trace->error_mm);
   trace->incomplete = crossed.incomplete;
   trace->not_planar = crossed.not_planar;
+  trace->in_pieces = crossed.in_pieces;
+  trace->contradicted = crossed.contradicted;
   trace->surfaces = without_duplicates(crossed.surfaces, table_corner(planar[0]));
   trace->duplicates = static_cast<int>(crossed.surfaces.size() - trace->surfaces.size());
 }
@@ -112,16 +115,17 @@ std::optional<PaperIdentification> identify(const Identification& work, const Pa
   return best;
 }
 
-/// A single surface has no pair that verifies it. Instead the reconstructed model must be
-/// consistent with those corners that the models before it left over, and explain at least as
-/// many elsewhere as the surface itself has.
+/// A single surface has no pair that verifies it. Instead the outline of the reconstructed model
+/// must be there, and of the corners that the models before it left over it must explain at least
+/// as many elsewhere as the surface itself has.
 bool single_is_sure(const Identification& work, const MeasuredCorners& left,
                     const PaperIdentification& id) {
   const CornerSupport support =
       corner_support(left, work.library[static_cast<std::size_t>(id.model)],
                      id.position.world_from_model, work.scene.tolerance_mm());
   const auto surface = static_cast<std::size_t>(id.matches[0].scene_surface);
-  return support.consistent() && support.explained >= 2 * work.scene.surfaces[surface].edges();
+  return id.position.support.outlined() &&
+         support.explained >= 2 * work.scene.surfaces[surface].edges();
 }
 
 /// By decreasing number of identified surfaces, of equal ones the better position first; models

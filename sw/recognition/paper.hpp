@@ -28,6 +28,8 @@ struct PaperTrace {
   std::array<int, 3> regions{};          ///< closed regions of top, side, front
   int incomplete = 0;                    ///< regions with a corner without a partner
   int not_planar = 0;                    ///< regions whose corners found false partners
+  int in_pieces = 0;                     ///< regions that an unfinished contour divides
+  int contradicted = 0;                  ///< surfaces that a corner in front of them contradicts
   int duplicates = 0;                    ///< described ones that a higher view holds too
   std::vector<CrossedSurface> surfaces;  ///< Table 1
   std::vector<std::vector<PaperHypothesis>> hypotheses;  ///< Table 2, per surface

@@ -75,6 +75,12 @@ CornerSupport corner_support(const MeasuredCorners& corners, const Model& model,
   for (std::size_t role = 0; role < 3; ++role) {
     const Points vertices = project(model, world_from_model, role);
     const Points hull = convex_hull(vertices);
+    support.outline += static_cast<int>(hull.size());
+    for (const Vector2d& v : hull) {
+      support.found += std::any_of(corners[role].begin(), corners[role].end(), [&](const auto& c) {
+        return explains({v}, flat(c, role), tolerance_mm);
+      });
+    }
     for (const Eigen::Vector3d& c : corners[role]) {
       const Vector2d corner = flat(c, role);
       const bool explained = explains(vertices, corner, tolerance_mm);

@@ -11,10 +11,14 @@ namespace trihedron {
 struct CornerSupport {
   int explained = 0;  ///< corners that a model vertex projects onto
   int inside = 0;     ///< corners inside the model's outline in their view, those included
+  int outline = 0;    ///< corners of the outlines
+  int found = 0;      ///< those of them that project onto a corner of a region
 
-  /// At most 20 % of the corners inside the outline are left over, the paper's tolerance for a
+  /// At most 20 % of the corners inside the outlines are left over, the paper's tolerance for a
   /// match of attributes.
   bool consistent() const { return explained > 0 && 5 * explained >= 4 * inside; }
+  /// Two thirds of the outlines' corners are there: the object may be hidden in one view of three.
+  bool outlined() const { return 3 * found >= 2 * outline; }
 };
 
 /// Counts over all three views. The outline of a view is the convex hull of the projected

@@ -44,7 +44,7 @@ void PosePool::add(int model, const Transform& pose) {
   ++scored_;
   PoseHypothesis h{model, pose, 0};
   h.support = evidence_.score(library_[static_cast<std::size_t>(model)], pose, 2);
-  if (h.support > 0) found_.push_back(h);
+  if (h.support > 0) fresh_.push_back(h);
 }
 
 bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const {
@@ -61,28 +61,31 @@ bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double lim
                      [&](const Transform& s) { return close(a.world_from_model * s); });
 }
 
-std::vector<PoseHypothesis> PosePool::finish() {
-  sort_best(found_, options_.max_coarse);
-  const auto merge = [&](double limit) {
-    std::vector<PoseHypothesis> out;
-    for (const PoseHypothesis& h : found_) {
-      if (std::none_of(out.begin(), out.end(),
-                       [&](const PoseHypothesis& other) { return same(h, other, limit); })) {
-        out.push_back(h);
-      }
-    }
-    found_ = std::move(out);
-  };
-  merge(0.04);
-  for (PoseHypothesis& h : found_) {
+void PosePool::merge(std::vector<PoseHypothesis>& poses, double limit) const {
+  std::vector<PoseHypothesis> out;
+  for (const PoseHypothesis& h : poses) {
+    const bool known = std::any_of(
+        out.begin(), out.end(), [&](const PoseHypothesis& other) { return same(h, other, limit); });
+    if (!known) out.push_back(h);
+  }
+  poses = std::move(out);
+}
+
+const std::vector<PoseHypothesis>& PosePool::settle() {
+  constexpr double kSameBefore = 0.04, kSameAfter = 0.03;  // of the diameter, refinement between
+  sort_best(fresh_, options_.max_coarse);
+  merge(fresh_, kSameBefore);
+  for (PoseHypothesis& h : fresh_) {
     const Model& m = library_[static_cast<std::size_t>(h.model)];
-    for (int k = 0; k < 2; ++k) evidence_.refine(m, h.world_from_model);
+    for (int k = 0; k < 2; ++k) evidence_.refine(m, h.world_from_model, 4);
     h.support = evidence_.score(m, h.world_from_model, 8);
   }
-  sort_best(found_, options_.max_coarse);
-  merge(0.03);
-  sort_best(found_, options_.max_hypotheses);
-  return std::move(found_);
+  settled_.insert(settled_.end(), fresh_.begin(), fresh_.end());
+  fresh_.clear();
+  sort_best(settled_, options_.max_coarse);
+  merge(settled_, kSameAfter);
+  sort_best(settled_, options_.max_hypotheses);
+  return settled_;
 }
 
 }  // namespace trihedron

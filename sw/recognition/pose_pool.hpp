@@ -21,8 +21,9 @@ class PosePool {
   /// Scores the pose unless enough poses like it were scored before.
   void add(int model, const Transform& world_from_model);
 
-  /// The best poses after a refinement on the segments, equal ones (up to a symmetry) merged.
-  std::vector<PoseHypothesis> finish();
+  /// Refines the best poses added since the last call on the segments and merges equal ones (up
+  /// to a symmetry); all settled poses so far, best first.
+  const std::vector<PoseHypothesis>& settle();
 
   int offered() const { return offered_; }
   int scored() const { return scored_; }
@@ -30,11 +31,12 @@ class PosePool {
  private:
   std::uint64_t bin(int model, const Transform& pose) const;
   bool same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const;
+  void merge(std::vector<PoseHypothesis>& poses, double limit) const;
 
   const Evidence& evidence_;
   const std::vector<Model>& library_;
   const HypothesisOptions& options_;
-  std::vector<PoseHypothesis> found_;
+  std::vector<PoseHypothesis> fresh_, settled_;
   std::unordered_map<std::uint64_t, int> count_;  ///< poses scored per bin
   int offered_ = 0, scored_ = 0;
 };

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
 namespace trihedron {
 namespace {
@@ -23,6 +23,10 @@ constexpr int kCornerPx = 2;
 constexpr double kProposalPx = 2.5;
 /// Shorter sides are rounded corners, not edges.
 constexpr int kMinSidePx = 4;
+/// A window that touches both sides of a corner rounds off at most this much of the chain...
+constexpr int kRoundedPx = 8;
+/// ... by at most this distance.
+constexpr double kRoundingPx = 2.0;
 /// An intersection farther than this from the bend is ill-conditioned: nearly parallel sides.
 constexpr double kMaxCornerShiftPx = 6.0;
 
@@ -160,13 +164,34 @@ void drop_short(Sides* sides) {
   }
 }
 
-Vector2d corner(const Line& a, const Line& b, const Vector2d& bend) {
+/// Where two lines meet; nothing when they are parallel.
+std::optional<Vector2d> meet(const Line& a, const Line& b) {
   const double cross = a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x();
+  if (std::abs(cross) < 1e-6) return std::nullopt;
   const Vector2d d = b.point - a.point;
-  const double along = (d.x() * b.direction.y() - d.y() * b.direction.x()) / cross;
-  const Vector2d crossing = a.point + along * a.direction;
-  if (std::abs(cross) < 1e-6 || (crossing - bend).norm() > kMaxCornerShiftPx) return bend;
-  return crossing;
+  return a.point + (d.x() * b.direction.y() - d.y() * b.direction.x()) / cross * a.direction;
+}
+
+/// Removes sides no longer than a window whose neighbours meet next to their middle: the front
+/// end's rounding of one corner.
+void drop_rounded(const Points& chain, Sides* sides) {
+  for (int s = 0; s < sides->count() && sides->count() > 3;) {
+    const int middle = sides->bend(s) + sides->length(s) / 2;
+    const Vector2d& at = chain[static_cast<std::size_t>(middle) % chain.size()];
+    const auto crossing = meet(sides->line(s - 1), sides->line(s + 1));
+    if (sides->length(s) > kRoundedPx || !crossing || (*crossing - at).norm() > kRoundingPx) {
+      ++s;
+      continue;
+    }
+    sides->move_bend(s, middle);
+    sides->remove_bend(s + 1);
+    s = 0;
+  }
+}
+
+Vector2d corner(const Line& a, const Line& b, const Vector2d& bend) {
+  const auto crossing = meet(a, b);
+  return crossing && (*crossing - bend).norm() <= kMaxCornerShiftPx ? *crossing : bend;
 }
 
 }  // namespace
@@ -176,6 +201,7 @@ ImagePolygon fit_polygon(const Points& chain, const Points& proposals) {
   Sides sides(chain, find_bends(chain, proposals));
   drop_short(&sides);
   merge_straight(&sides);
+  drop_rounded(chain, &sides);
   if (sides.count() < 3) return {};
   ImagePolygon polygon;
   for (int s = 0; s < sides.count(); ++s) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recognition/contour_linking.hpp"
 #include "recognition/region_boundary.hpp"
 #include "recognition/region_map.hpp"
 #include "recognition/region_polygon.hpp"
@@ -30,13 +31,15 @@ Region make_region(const std::vector<BoundaryLoop>& loops,
 }  // namespace
 
 std::vector<Region> find_regions(const ViewFeatures& features, const RegionOptions& options) {
-  const RegionMap map = label_regions(bridged_contour(features, options.bridge_px), features.width,
-                                      features.height, options.min_region_px);
+  const RegionMap map =
+      label_regions(linked_contour(features, options.bridge_px), features, options.min_region_px);
   std::vector<Eigen::Vector2d> proposals;
   for (const Vertex& v : features.vertices) proposals.emplace_back(v.x, v.y);
+  const std::vector<std::vector<BoundaryLoop>> boundaries = trace_boundaries(map, features);
   std::vector<Region> regions;
-  for (const std::vector<BoundaryLoop>& loops : trace_boundaries(map, features)) {
-    Region region = make_region(loops, proposals);
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    Region region = make_region(boundaries[i], proposals);
+    region.loose_px = map.loose_px[i];
     if (!region.outer.empty()) regions.push_back(std::move(region));
   }
   return regions;

@@ -17,10 +17,11 @@ struct Region {
   ImagePolygon outer;
   std::vector<ImagePolygon> holes;  ///< inner boundaries, clockwise as seen on the screen
   double area_px2 = 0;              ///< inside `outer` and outside all `holes`
+  int loose_px = 0;                 ///< contour pixels inside that separate nothing
 };
 
 struct RegionOptions {
-  /// Contour ends are joined to a contour ahead of them over gaps of up to this many pixels.
+  /// Loose contour ends are joined straight to a contour over gaps of up to this many pixels.
   int bridge_px = 2;
   /// Components of fewer pixels are flaws of the contour, not regions: a region as small as the
   /// 5x5 window of the front end cannot have been resolved.

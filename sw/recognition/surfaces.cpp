@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+
+#include "recognition/surface_visibility.hpp"
 
 namespace trihedron {
 namespace {
@@ -14,12 +17,11 @@ using Eigen::Vector3d;
 constexpr int kX = 0, kY = 1, kZ = 2;
 /// Relative difference up to which two surfaces are the same one (eqs. 9-13).
 constexpr double kDuplicateTolerance = 0.20;
-/// Largest error of a fitted corner, px: a contour is one pixel wide.
-constexpr double kCornerErrorPx = 0.5;
-
 /// A true corner is within Error of its place in each coordinate, so within sqrt(3) Error of its
 /// plane; the plane itself is known better than that.
 constexpr double kPlanarityErrors = 2;
+/// A loose piece of contour as long as the front end's 5x5 window is an edge, not noise.
+constexpr int kMaxLoosePx = 5;
 
 /// What a view measures of a region's loops: two of three coordinates.
 std::vector<SpacePolygon> measure(const PlanarView& view, const Region& region) {
@@ -59,15 +61,25 @@ std::vector<double> agreed(const std::vector<double>& a, const std::vector<doubl
   return both;
 }
 
-/// Largest distance of a corner from the plane through the centroid.
-double out_of_plane(const std::vector<SpacePolygon>& loops, const SurfaceAttributes& attributes) {
-  double distance = 0;
-  for (const SpacePolygon& loop : loops) {
+bool is_planar(const CrossedSurface& surface, double error_mm) {
+  const SurfaceAttributes& a = surface.attributes;
+  for (const SpacePolygon& loop : surface.loops) {
     for (const Vector3d& p : loop) {
-      distance = std::max(distance, std::abs((p - attributes.centroid).dot(attributes.normal)));
+      if (std::abs((p - a.centroid).dot(a.normal)) > kPlanarityErrors * error_mm) return false;
     }
   }
-  return distance;
+  return true;
+}
+
+bool is_contradicted(const CrossedSurface& surface, const SpacePolygon& top_corners,
+                     double error_mm) {
+  return surface.role != ViewRole::kTop &&
+         std::any_of(top_corners.begin(), top_corners.end(),
+                     [&](const Vector3d& p) { return contradicts(p, surface, error_mm); });
+}
+
+void append_corners(const std::vector<SpacePolygon>& loops, SpacePolygon* corners) {
+  for (const SpacePolygon& loop : loops) corners->insert(corners->end(), loop.begin(), loop.end());
 }
 
 class Crossing {
@@ -75,7 +87,18 @@ class Crossing {
   Crossing(const std::array<PlanarView, 3>& views, const MeasuredCorners& corners, double error_mm)
       : views_(views), corners_(corners), error_mm_(error_mm) {}
 
-  /// Fills in the coordinate that the view cannot measure.
+  /// Gives every corner its third coordinate and the surface its attributes.
+  bool complete(CrossedSurface* surface) const {
+    for (SpacePolygon& loop : surface->loops) {
+      for (Vector3d& corner : loop) {
+        if (!complete(surface->role, &corner)) return false;
+      }
+    }
+    surface->attributes = surface_attributes(surface->loops);
+    return true;
+  }
+
+ private:
   bool complete(ViewRole role, Vector3d* corner) const {
     if (role == ViewRole::kTop) return complete_top(corner);
     const bool side = role == ViewRole::kSide;
@@ -88,7 +111,6 @@ class Crossing {
     return true;
   }
 
- private:
   bool complete_top(Vector3d* corner) const {
     const std::vector<double> side = partners(corners_[1], kX, corner->x(), kZ, error_mm_);
     const std::vector<double> front = partners(corners_[2], kY, corner->y(), kZ, error_mm_);
@@ -112,29 +134,6 @@ bool is_duplicate(const SurfaceAttributes& k, const SurfaceAttributes& t, const 
          (k.centroid - t.centroid).norm() <= e * (k.centroid - corner).norm();
 }
 
-/// Distance between the segments a0 a1 and b0 b1. Its minimum is at an end of one of them, or
-/// at the foot points of the common perpendicular.
-double segment_distance(const Vector3d& a0, const Vector3d& a1, const Vector3d& b0,
-                        const Vector3d& b1) {
-  const auto to_segment = [](const Vector3d& p, const Vector3d& q0, const Vector3d& q1) {
-    const Vector3d d = q1 - q0;
-    const double s = std::clamp((p - q0).dot(d) / d.squaredNorm(), 0.0, 1.0);
-    return (p - q0 - s * d).norm();
-  };
-  double distance = std::min({to_segment(a0, b0, b1), to_segment(a1, b0, b1),
-                              to_segment(b0, a0, a1), to_segment(b1, a0, a1)});
-  const Vector3d u = a1 - a0, v = b1 - b0, w = b0 - a0;
-  const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm();
-  const double det = uu * vv - uv * uv;
-  if (det > 1e-12 * uu * vv) {
-    const double s = (u.dot(w) * vv - uv * v.dot(w)) / det;
-    const double t = (uv * u.dot(w) - uu * v.dot(w)) / det;
-    if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
-      distance = std::min(distance, (w + t * v - s * u).norm());
-  }
-  return distance;
-}
-
 }  // namespace
 
 MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
@@ -142,9 +141,7 @@ MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
   MeasuredCorners corners;
   for (std::size_t v = 0; v < 3; ++v) {
     for (const Region& region : regions[v]) {
-      for (const SpacePolygon& loop : measure(views[v], region)) {
-        corners[v].insert(corners[v].end(), loop.begin(), loop.end());
-      }
+      append_corners(measure(views[v], region), &corners[v]);
     }
   }
   return corners;
@@ -155,23 +152,26 @@ CrossingResult cross_views(const std::array<PlanarView, 3>& views,
   const MeasuredCorners corners = measure_corners(views, regions);
   const Crossing crossing(views, corners, error_mm);
   CrossingResult result;
+  SpacePolygon top_corners;
   for (std::size_t v = 0; v < 3; ++v) {
     for (std::size_t r = 0; r < regions[v].size(); ++r) {
-      CrossedSurface surface{
-          views[v].role, static_cast<int>(r), measure(views[v], regions[v][r]), {}};
-      bool complete = true;
-      for (SpacePolygon& loop : surface.loops) {
-        for (Vector3d& corner : loop)
-          complete = complete && crossing.complete(surface.role, &corner);
+      CrossedSurface surface{views[v].role, int(r), measure(views[v], regions[v][r]), {}};
+      int* failed = nullptr;
+      if (regions[v][r].loose_px > kMaxLoosePx) {
+        failed = &result.in_pieces;
+      } else if (!crossing.complete(&surface)) {
+        failed = &result.incomplete;
+      } else if (!is_planar(surface, error_mm)) {
+        failed = &result.not_planar;
+      } else if (is_contradicted(surface, top_corners, error_mm)) {
+        failed = &result.contradicted;
       }
-      surface.attributes = surface_attributes(surface.loops);
-      if (!complete) {
-        ++result.incomplete;
-      } else if (out_of_plane(surface.loops, surface.attributes) > kPlanarityErrors * error_mm) {
-        ++result.not_planar;
-      } else {
-        result.surfaces.push_back(std::move(surface));
+      if (failed) {
+        ++*failed;
+        continue;
       }
+      if (surface.role == ViewRole::kTop) append_corners(surface.loops, &top_corners);
+      result.surfaces.push_back(std::move(surface));
     }
   }
   return result;
@@ -187,28 +187,6 @@ std::vector<CrossedSurface> without_duplicates(const std::vector<CrossedSurface>
     if (!duplicate) kept.push_back(k);
   }
   return kept;
-}
-
-double smallest_edge_gap_mm(const Model& model) {
-  double gap = std::numeric_limits<double>::infinity();
-  const auto vertex = [&](int v) { return model.mesh.vertices[static_cast<std::size_t>(v)]; };
-  for (std::size_t i = 0; i < model.edges.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const ModelEdge &a = model.edges[i], &b = model.edges[j];
-      if (a.v0 == b.v0 || a.v0 == b.v1 || a.v1 == b.v0 || a.v1 == b.v1) continue;
-      gap = std::min(gap, segment_distance(vertex(a.v0), vertex(a.v1), vertex(b.v0), vertex(b.v1)));
-    }
-  }
-  return gap;
-}
-
-double crossing_error_mm(const std::array<PlanarView, 3>& views,
-                         const std::vector<Model>& library) {
-  double mm_per_px = 0;
-  for (const PlanarView& view : views) mm_per_px = std::max(mm_per_px, view.mm_per_px);
-  double error = 2 * kCornerErrorPx * mm_per_px;
-  for (const Model& model : library) error = std::min(error, 0.5 * smallest_edge_gap_mm(model));
-  return error;
 }
 
 }  // namespace trihedron

@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "recognition/model.hpp"
 #include "recognition/planar_view.hpp"
 #include "recognition/regions.hpp"
 #include "recognition/surface_attributes.hpp"
@@ -22,8 +21,10 @@ struct CrossedSurface {
 
 struct CrossingResult {
   std::vector<CrossedSurface> surfaces;  ///< described in 3D, top first, then side, front
+  int in_pieces = 0;                     ///< regions that an unfinished contour divides
   int incomplete = 0;                    ///< regions with a corner that found no partner
   int not_planar = 0;                    ///< regions whose corners found false partners
+  int contradicted = 0;                  ///< regions that miss a corner seen in front of them
 };
 
 /// What the views measured of all corners of their regions, by role, world mm. Only the two
@@ -37,7 +38,9 @@ MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
 /// corners of the other views that agree in the shared coordinate within `error_mm`. Top corners
 /// take the largest z that side and front agree on, or else the largest of either; side and front
 /// corners take from the top view the point nearest to their own camera. A region describes a
-/// surface when every corner finds a partner and all lie within 2 `error_mm` of a plane.
+/// surface when no unfinished contour divides it, every corner finds a partner, all lie within
+/// 2 `error_mm` of a plane, and no corner of a top surface stands in front of it without being
+/// one of the region's corners.
 /// `views` and `regions` in the order top, side, front.
 CrossingResult cross_views(const std::array<PlanarView, 3>& views,
                            const std::array<std::vector<Region>, 3>& regions, double error_mm);
@@ -47,12 +50,5 @@ CrossingResult cross_views(const std::array<PlanarView, 3>& views,
 /// its distance from `table_corner` (mm, world). Top surfaces are never removed.
 std::vector<CrossedSurface> without_duplicates(const std::vector<CrossedSurface>& surfaces,
                                                const Eigen::Vector3d& table_corner);
-
-/// The paper's Error, mm. Corners of one point in two views differ by at most half a pixel each;
-/// but more than half the smallest distance of two edges would confuse corners.
-double crossing_error_mm(const std::array<PlanarView, 3>& views, const std::vector<Model>& library);
-
-/// Smallest distance between two edges of the model that share no vertex, mm.
-double smallest_edge_gap_mm(const Model& model);
 
 }  // namespace trihedron
