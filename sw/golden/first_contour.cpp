@@ -1,40 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "golden/first_contour.hpp"
 
-#include <array>
+#include <algorithm>
+
+#include "golden/window_block.hpp"
 
 namespace trihedron::golden {
 namespace {
 
-/// The five rows of the window, centre row in the middle.
-using WindowRows = std::array<const std::uint16_t*, kMinFrameSide>;
+/// One flag a pixel, 0 or 1, as wide as the values it comes from.
+using Flags = std::int16_t[kBlockPx];
 
 /// Whether the centre outweighs the neighbours that are not above it. The centre adds itself to
 /// the sum and to the count: both are taken out again.
-inline bool outweighs(const WindowRows& rows, int x, int mean_limit) {
-  const std::uint16_t centre = rows[2][x];
-  std::uint16_t sum = 0;
-  std::uint16_t count = 0;
-  for (const std::uint16_t* row : rows) {
-    for (int i = -kWindowRadius; i <= kWindowRadius; ++i) {
-      const std::uint16_t n = row[x + i];
-      sum = static_cast<std::uint16_t>(sum + (n <= centre ? n : 0));
-      count = static_cast<std::uint16_t>(count + (n <= centre ? 1 : 0));
+void outweighs(const WindowBlock& window, int mean_limit, Flags& flags) {
+  std::int16_t sum[kBlockPx] = {};
+  std::int16_t count[kBlockPx] = {};
+  const std::int16_t* centre = window.rows[kWindowRadius] + kWindowRadius;
+  for (const auto& row : window.rows) {
+    for (int i = 0; i < kMinFrameSide; ++i) {
+      for (int x = 0; x < kBlockPx; ++x) {
+        const std::int16_t n = row[x + i];
+        const auto mask = static_cast<std::int16_t>(-(n <= centre[x]));
+        sum[x] = static_cast<std::int16_t>(sum[x] + (n & mask));
+        count[x] = static_cast<std::int16_t>(count[x] - mask);
+      }
     }
   }
-  return 32 * (sum - centre) < mean_limit * centre * (count - 1);
+  for (int x = 0; x < kBlockPx; ++x) {
+    const int others = sum[x] - centre[x];
+    flags[x] = 32 * others < mean_limit * centre[x] * (count[x] - 1) ? 1 : 0;
+  }
 }
 
 /// Whether two inner neighbours that do not touch each other are at least 3/4 of the centre.
-inline bool path_passes(const WindowRows& rows, int x) {
-  const int least = 3 * rows[2][x];
-  const auto on = [&](int i, int j) { return 4 * rows[2 + j][x + i] >= least; };
-  const bool nw = on(-1, -1), n = on(0, -1), ne = on(1, -1), w = on(-1, 0);
-  const bool e = on(1, 0), sw = on(-1, 1), s = on(0, 1), se = on(1, 1);
-  const bool straight = (n & s) | (w & e);
-  const bool bent = (n & (sw | se)) | (s & (nw | ne)) | (w & (ne | se)) | (e & (nw | sw));
-  const bool two_corners = (nw & (ne | sw | se)) | (ne & (sw | se)) | (sw & se);
-  return straight | bent | two_corners;
+void path_passes(const WindowBlock& window, Flags& flags) {
+  Flags on[3][3];
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      for (int x = 0; x < kBlockPx; ++x) {
+        const auto least = static_cast<std::int16_t>(3 * window.rows[2][x + 2]);
+        const auto level = static_cast<std::int16_t>(4 * window.rows[j + 1][x + i + 1]);
+        on[j][i][x] = level >= least ? 1 : 0;
+      }
+    }
+  }
+  const auto& [nw, n, ne] = on[0];
+  const auto& [w, centre, e] = on[1];
+  const auto& [sw, s, se] = on[2];
+  for (int x = 0; x < kBlockPx; ++x) {
+    const int straight = (n[x] & s[x]) | (w[x] & e[x]);
+    const int bent = (n[x] & (sw[x] | se[x])) | (s[x] & (nw[x] | ne[x])) |
+                     (w[x] & (ne[x] | se[x])) | (e[x] & (nw[x] | sw[x]));
+    const int corners =
+        (nw[x] & (ne[x] | sw[x] | se[x])) | (ne[x] & (sw[x] | se[x])) | (sw[x] & se[x]);
+    flags[x] = static_cast<std::int16_t>(straight | bent | corners);
+  }
 }
 
 }  // namespace
@@ -42,13 +63,25 @@ inline bool path_passes(const WindowRows& rows, int x) {
 Plane<std::uint8_t> first_contour(const Plane<std::uint16_t>& magnitude,
                                   const FirstContourConfig& config) {
   Plane<std::uint8_t> contour(magnitude.width, magnitude.height);
+  WindowBlock window;
+  Flags heavy;
+  Flags path;
   for (int y = kWindowRadius; y < magnitude.height - kWindowRadius; ++y) {
-    WindowRows rows;
-    for (int i = 0; i < kMinFrameSide; ++i) rows[i] = magnitude.row(y - kWindowRadius + i);
+    const auto rows = window_rows(magnitude, y);
+    const std::uint16_t* centre = magnitude.row(y);
     std::uint8_t* out = contour.row(y);
-    for (int x = kWindowRadius; x < magnitude.width - kWindowRadius; ++x) {
-      out[x] = (rows[2][x] >= config.noise_floor) & outweighs(rows, x, config.mean_limit) &
-               path_passes(rows, x);
+    for (int x = kWindowRadius; x < magnitude.width - kWindowRadius; x += kBlockPx) {
+      const int n = std::min(kBlockPx, magnitude.width - kWindowRadius - x);
+      int highest = 0;
+      for (int i = 0; i < n; ++i) highest = std::max<int>(highest, centre[x + i]);
+      if (highest < config.noise_floor) continue;
+      window.load(rows, x, magnitude.width);
+      outweighs(window, config.mean_limit, heavy);
+      path_passes(window, path);
+      for (int i = 0; i < n; ++i) {
+        const bool above_noise = centre[x + i] >= config.noise_floor;
+        out[x + i] = static_cast<std::uint8_t>(above_noise & heavy[i] & path[i]);
+      }
     }
   }
   return contour;
