@@ -6,7 +6,8 @@
 //   end_valid_i, end_fault_i    the frame is complete (never together with a vertex); how it
 //                               ended: see frame_guard
 //   limit_i                     most vertices sent per frame; the others are counted as lost
-//   ready_o                     room for everything that is still in the pipeline
+//   ready_o                     room for everything that is still in the pipeline: of about 80
+//                               beats under way each third can be a vertex, each fifth an end
 //   frame_done_o, sent_o, lost_o   one clock per frame: its counts
 //   m_axis_*   vertex record: [1:0] 0, [5:2] view, [15:8] frame tag, [27:16] x, [39:28] y,
 //              [43:40] branches, [51:44] pattern, [63:52] strength; end-of-frame record:
@@ -18,8 +19,8 @@ module vertex_packer #(
     parameter int View         = 0,
     parameter int PatternBits  = 8,
     parameter int StrengthBits = 8,
-    parameter int Depth        = 256,  // records that wait for the consumer, a power of two
-    parameter int Reserve      = 96    // records that may come after ready_o has fallen
+    parameter int Depth        = 64,  // records that wait for the consumer, a power of two
+    parameter int Reserve      = 40   // records that may come after ready_o has fallen
 ) (
     input  logic                    clk_i,
     input  logic                    rst_ni,

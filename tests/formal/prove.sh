@@ -1,0 +1,45 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# Proves the properties of this folder for all time with PDR (yosys-abc), then breaks the RTL on
+# purpose and requires that each proof fails. usage: prove.sh [MODULE ...]
+set -eu
+cd "$(dirname "$0")/../.."
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+status=0
+
+# prove NAME MODULE_FILE: prints what PDR concludes.
+prove() {
+  yosys -q -p "read_verilog -formal -sv rtl/line_memory.sv $2 \
+      tests/formal/queue_properties.sv tests/formal/$1_properties.sv
+    hierarchy -check -top $1_properties; proc; flatten; memory -nomap; memory_map -formal; opt
+    async2sync; formalff -clk2ff -ff2anyinit; setundef -undriven -anyseq; opt_clean
+    techmap; simplemap; dffunmap; abc -g AND -fast; opt_clean
+    write_aiger -I -B -zinit $work/$1.aig"
+  yosys-abc -q "read_aiger $work/$1.aig; fold; strash; pdr -T 300; print_status" 2>&1 |
+    grep -oE 'Status = +-?[0-9]+' | grep -oE -- '-?[0-9]+$'
+}
+
+# check NAME SED_EXPRESSION: proof of the module, counterexample for the broken one.
+check() {
+  result=$(prove "$1" "rtl/$1.sv")
+  sed -E "$2" "rtl/$1.sv" >"$work/$1.sv"
+  cmp -s "rtl/$1.sv" "$work/$1.sv" && { echo "$1: the break changes nothing"; status=1; }
+  broken=$(prove "$1" "$work/$1.sv")
+  if [ "$result" = 1 ] && [ "$broken" = 0 ]; then
+    echo "$1: proved; broken on purpose: refuted"
+  else
+    echo "$1: FAILED (status $result, broken $broken; 1 proved, 0 refuted, -1 undecided)"
+    status=1
+  fi
+}
+
+for module in ${*:-skid_buffer shift_fifo stream_fifo}; do
+  case $module in
+    skid_buffer) check skid_buffer 's/if \(!spare_valid_q\) spare_q/spare_q/' ;;
+    shift_fifo) check shift_fifo 's/used_after_pop\[i\] \?/used_q[i] ?/' ;;
+    stream_fifo) check stream_fifo 's/m_tvalid_o <= write_q != read_d/m_tvalid_o <= write_q != read_q/' ;;
+    *) echo "$module: no properties"; status=1 ;;
+  esac
+done
+exit $status
