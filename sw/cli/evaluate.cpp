@@ -19,7 +19,7 @@ struct Arguments {
   RecognitionArguments recognition;
   std::string dataset, csv, features;
   int jobs = 1;
-  bool json = false;
+  bool json = false, tables = false;
 };
 
 /// Before the work: a place that cannot be written must not cost the results.
@@ -36,7 +36,7 @@ std::vector<SceneOutcome> process(const Arguments& arguments, const std::vector<
   const auto work = [&](std::size_t i) {
     if (!front_end) front_end = arguments.recognition.make_front_end();
     return to_text(process_scene(scenes[i], front_end, library, arguments.recognition.options(),
-                                 arguments.features));
+                                 arguments.features, arguments.tables));
   };
   std::vector<SceneOutcome> outcomes;
   for (const std::string& text : run_workers(scenes.size(), arguments.jobs, "scenes", work))
@@ -55,6 +55,8 @@ int run(const Arguments& arguments) {
   for (const SceneOutcome& outcome : outcomes)
     rows.insert(rows.end(), outcome.rows.begin(), outcome.rows.end());
   if (!arguments.csv.empty()) write_whole(arguments.csv, format_results(rows));
+  for (const SceneOutcome& outcome : outcomes)
+    if (!outcome.tables.empty()) fmt::print("{}\n", outcome.tables);
   fmt::print("{}", arguments.json ? evaluation_json(outcomes) : evaluation_table(outcomes));
   return rows.empty() ? kNothingFound : kDone;
 }
@@ -78,7 +80,11 @@ void add_evaluate(CLI::App& program, int& exit_code) {
       ->add_option("--features", arguments->features,
                    "Write SCENE/000000.png (contour) and SCENE/000000.csv (vertices) per view")
       ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  auto* json = command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command
+      ->add_flag("--tables", arguments->tables,
+                 "Print the source paper's tables 1-6 of every scene first (--method paper)")
+      ->excludes(json);
   command->footer(
       "Example:\n"
       "  trihedron evaluate testvectors/scenes --models testvectors/models10 \\\n"

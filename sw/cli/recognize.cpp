@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/paper_tables.hpp"
 #include "cli/recognition_options.hpp"
 #include "io/bop_results.hpp"
 #include "io/file.hpp"
@@ -18,7 +19,7 @@ namespace {
 struct Arguments {
   RecognitionArguments recognition;
   std::string scene, out;
-  bool json = false;
+  bool json = false, tables = false;
 };
 
 const Model& model_of(const std::vector<Model>& library, int id) {
@@ -66,7 +67,10 @@ int run(const Arguments& arguments) {
   if (!arguments.out.empty()) make_folder(arguments.out);
   const std::vector<View> views = make_views(scene, arguments.recognition.make_front_end());
   const auto start = std::chrono::steady_clock::now();
-  const RecognitionResult result = recognize(views, library, arguments.recognition.options());
+  std::string tables;
+  const RecognitionResult result =
+      recognize_with_tables(scene.name, views, library, arguments.recognition.options(),
+                            arguments.tables ? &tables : nullptr);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const std::string report = report_json(scene, result, library).dump(1) + "\n";
   if (!arguments.out.empty()) {
@@ -77,6 +81,8 @@ int run(const Arguments& arguments) {
   }
   if (arguments.json)
     fmt::print("{}", report);
+  else if (arguments.tables)
+    fmt::print("{}", tables);
   else
     print_result(scene, result, library);
   return result.objects.empty() ? kNothingFound : kDone;
@@ -98,6 +104,8 @@ void add_recognize(CLI::App& program, int& exit_code) {
                    "Write pictures of every stage and view, results.csv and report.json here")
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "Print the whole report as JSON");
+  command->add_flag("--tables", arguments->tables,
+                    "Print the source paper's tables 1-6 instead (--method paper)");
   command->footer(
       "Example:\n"
       "  trihedron recognize testvectors/scenes/studio-two/000034 \\\n"

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "cli/paper_tables.hpp"
 #include "io/feature_files.hpp"
 
 namespace trihedron::cli {
@@ -38,7 +39,7 @@ ResultRow row_from_json(const json& j) {
 
 SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& front_end,
                            const std::vector<Model>& library, const RecognitionOptions& options,
-                           const std::string& features_folder) {
+                           const std::string& features_folder, bool tables) {
   const Scene scene = read_scene(folder);
   SceneOutcome outcome;
   outcome.kind = scene.kind.empty() ? "scenes" : scene.kind;
@@ -52,7 +53,8 @@ SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& 
       write_features(std::filesystem::path(features_folder) / scene.name, scene.im_ids[v],
                      views[v].features);
   start = Clock::now();
-  const RecognitionResult result = recognize(views, library, options);
+  const RecognitionResult result = recognize_with_tables(scene.name, views, library, options,
+                                                         tables ? &outcome.tables : nullptr);
   outcome.rows = result_rows(scene, result, seconds_since(start));
   outcome.stages.insert(outcome.stages.end(), result.stages.begin(), result.stages.end());
   outcome.has_truth = scene.truth.has_value();
@@ -70,6 +72,7 @@ std::string to_text(const SceneOutcome& outcome) {
       {"kind", outcome.kind},
       {"has_truth", outcome.has_truth},
       {"rows", rows},
+      {"tables", outcome.tables},
       {"stages", stages},
       {"objects", objects},
       {"counts",
@@ -82,6 +85,7 @@ SceneOutcome from_text(const std::string& text) {
   SceneOutcome outcome;
   outcome.kind = in["kind"];
   outcome.has_truth = in["has_truth"];
+  outcome.tables = in["tables"];
   for (const json& row : in["rows"]) outcome.rows.push_back(row_from_json(row));
   for (const json& s : in["stages"]) outcome.stages.push_back({s[0], s[1], s[2]});
   for (const json& o : in["objects"]) outcome.score.objects.push_back({o[0], o[1], o[2]});

@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "recognition/weak_ridges.hpp"
+
 namespace trihedron {
 namespace {
 
@@ -44,6 +46,7 @@ class Linker {
   Linker(const ViewFeatures& features, int bridge_px)
       : features_(features), bridge_px_(bridge_px), linked_(features.contour.size()) {
     for (std::size_t i = 0; i < linked_.size(); ++i) linked_[i] = features.contour[i].contour();
+    add_weak_ridges(features, &linked_);
     drop_specks();
   }
 
@@ -127,9 +130,10 @@ class Linker {
     const Path branch = walk_back(end);
     Vec heading = {double(end.x - branch.back().x), double(end.y - branch.back().y)};
     heading = unit(heading);
-    double strength = 0;
-    for (const Pixel& p : branch) strength += features_.at(p.x, p.y).magnitude;
-    strength /= static_cast<double>(branch.size());
+    int strength = features_.at(end.x, end.y).magnitude;  // the branch may start on a strong edge
+    for (const Pixel& p : branch) {
+      strength = std::min<int>(strength, features_.at(p.x, p.y).magnitude);
+    }
     Path path = {end};
     while (true) {
       if (const auto target = straight_target(path, branch, heading)) {
@@ -171,7 +175,7 @@ class Linker {
       const Pixel q = {p.x + d.x, p.y + d.y};
       if (dot(unit({double(d.x), double(d.y)}), heading) < kStraightOn || !inside(q)) continue;
       const ContourBeat& beat = features_.at(q.x, q.y);
-      if (beat.magnitude < floor) continue;
+      if (beat.magnitude < std::max(1.0, floor)) continue;
       const Vec gradient = unit({double(beat.gx), double(beat.gy)});
       if (std::abs(dot(gradient, heading)) > kStraightOn) continue;
       if (!best || beat.magnitude > features_.at(best->x, best->y).magnitude) best = q;

@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <optional>
-#include <set>
-#include <utility>
 
 #include "recognition/crossing_error.hpp"
-#include "recognition/paper_positioning.hpp"
 
 namespace trihedron {
 namespace {
@@ -51,117 +47,22 @@ void make_surfaces(const std::array<PlanarView, 3>& planar, const RegionsByRole&
   trace->duplicates = static_cast<int>(crossed.surfaces.size() - trace->surfaces.size());
 }
 
-/// The library and the scene in the form that identification works on.
-struct Identification {
-  const std::vector<Model>& library;
-  std::vector<PaperModel> models;
+PaperScene scene_of(const std::array<PlanarView, 3>& planar, const RegionsByRole& regions,
+                    const PaperTrace& trace) {
   PaperScene scene;
-};
-
-Identification prepare(const std::vector<Model>& library, const std::array<PlanarView, 3>& planar,
-                       const RegionsByRole& regions, const PaperTrace& trace) {
-  Identification work{library, {}, {}};
-  for (const Model& model : library) work.models.push_back(paper_model(model));
   for (const CrossedSurface& surface : trace.surfaces) {
-    work.scene.surfaces.push_back(surface.attributes);
-    work.scene.loops.push_back(surface.loops);
+    scene.surfaces.push_back(surface.attributes);
+    scene.loops.push_back(surface.loops);
   }
-  work.scene.corners = measure_corners(planar, regions);
-  work.scene.error_mm = trace.error_mm;
-  return work;
-}
-
-/// Per scene surface, the surfaces of model k that it may be.
-std::vector<std::vector<int>> candidates_of(const PaperTrace& trace, int k) {
-  std::vector<std::vector<int>> candidates;
-  for (const std::vector<PaperHypothesis>& hypotheses : trace.hypotheses) {
-    candidates.emplace_back();
-    for (const PaperHypothesis& h : hypotheses) {
-      if (h.model == k) candidates.back() = h.surfaces;
-    }
-  }
-  return candidates;
-}
-
-/// Positions that are consistent with the views first, then more identified surfaces, then the
-/// better position.
-bool better(const PaperIdentification& a, const PaperIdentification& b) {
-  const bool consistent = a.position.support.consistent();
-  if (consistent != b.position.support.consistent()) return consistent;
-  if (a.matches.size() != b.matches.size()) return a.matches.size() > b.matches.size();
-  return a.position.better_than(b.position);
-}
-
-/// The best combination of a model's surfaces. A single surface is one too when its position is
-/// consistent with the views.
-std::optional<PaperIdentification> identify(const Identification& work, const PaperTrace& trace,
-                                            int k) {
-  const auto index = static_cast<std::size_t>(k);
-  const std::vector<SurfaceAttributes>& surfaces = work.models[index].surfaces;
-  const auto candidates = candidates_of(trace, k);
-  SequenceSearch search = closed_sequences(work.scene.surfaces, surfaces, candidates);
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    for (const int c : candidates[i]) search.sequences.push_back({{static_cast<int>(i), c}});
-  }
-  std::optional<PaperIdentification> best;
-  for (const PaperSequence& sequence : search.sequences) {
-    const bool shorter = best && sequence.size() < best->matches.size();
-    if (shorter && best->position.support.consistent()) break;
-    const auto position = position_model(work.scene, work.library[index], surfaces, sequence);
-    if (!position) continue;
-    PaperIdentification found{k, sequence, *position, false, search.truncated};
-    if (!best || better(found, *best)) best = std::move(found);
-  }
-  return best;
-}
-
-/// A single surface has no pair that verifies it. Instead the outline of the reconstructed model
-/// must be there, and of the corners that the models before it left over it must explain at least
-/// as many elsewhere as the surface itself has.
-bool single_is_sure(const Identification& work, const MeasuredCorners& left,
-                    const PaperIdentification& id) {
-  const CornerSupport support =
-      corner_support(left, work.library[static_cast<std::size_t>(id.model)],
-                     id.position.world_from_model, work.scene.tolerance_mm());
-  const auto surface = static_cast<std::size_t>(id.matches[0].scene_surface);
-  return id.position.support.outlined() &&
-         support.explained >= 2 * work.scene.surfaces[surface].edges();
-}
-
-/// By decreasing number of identified surfaces, of equal ones the better position first; models
-/// that need a surface of an accepted model are not accepted.
-void order_and_accept(const Identification& work, std::vector<PaperIdentification>* list) {
-  std::stable_sort(list->begin(), list->end(), [](const auto& a, const auto& b) {
-    return a.matches.size() != b.matches.size() ? a.matches.size() > b.matches.size()
-                                                : a.position.better_than(b.position);
-  });
-  std::set<int> taken;
-  MeasuredCorners left = work.scene.corners;
-  for (PaperIdentification& id : *list) {
-    id.accepted = std::none_of(id.matches.begin(), id.matches.end(), [&](const PaperMatch& m) {
-      return taken.count(m.scene_surface) > 0;
-    });
-    if (id.matches.size() == 1) id.accepted = id.accepted && single_is_sure(work, left, id);
-    if (!id.accepted) continue;
-    for (const PaperMatch& m : id.matches) taken.insert(m.scene_surface);
-    left = unexplained_corners(left, work.library[static_cast<std::size_t>(id.model)],
-                               id.position.world_from_model, work.scene.tolerance_mm());
-  }
+  scene.corners = measure_corners(planar, regions);
+  scene.error_mm = trace.error_mm;
+  return scene;
 }
 
 /// Surer with more surfaces, then with a smaller positioning error.
 double score_of(const PaperIdentification& id, double diameter_mm) {
   const auto surfaces = static_cast<double>(id.matches.size());
   return surfaces / (surfaces + 1 + std::min(1.0, id.position.error_mm / diameter_mm));
-}
-
-bool share_surface(const PaperIdentification& a, const PaperIdentification& b) {
-  for (const PaperMatch& m : a.matches) {
-    for (const PaperMatch& n : b.matches) {
-      if (m.scene_surface == n.scene_surface) return true;
-    }
-  }
-  return false;
 }
 
 class Report {
@@ -181,9 +82,11 @@ class Report {
         result->objects.push_back(object(id));
       } else {
         result->rejections.push_back({model(id).id, id.position.world_from_model,
-                                      score_of(id, model(id).diameter), reason(id)});
+                                      score_of(id, model(id).diameter), id.reason});
       }
     }
+    std::stable_sort(result->objects.begin(), result->objects.end(),
+                     [](const auto& a, const auto& b) { return a.score > b.score; });
   }
 
  private:
@@ -204,28 +107,40 @@ class Report {
       const CrossedSurface& s = trace_.surfaces[static_cast<std::size_t>(m.scene_surface)];
       out.surfaces.push_back({view_of(s), m.scene_surface, m.model_surface});
     }
-    for (const PaperIdentification& other : trace_.priority_list) {
-      if (other.accepted || !share_surface(id, other)) continue;
-      out.runner_up_model_id = model(other).id;
-      out.runner_up_score = score_of(other, model(other).diameter);
-      break;
-    }
+    add_runner_up(id, &out);
     return out;
   }
 
-  std::string reason(const PaperIdentification& id) const {
+  /// The next model in the list that wanted one of these surfaces.
+  void add_runner_up(const PaperIdentification& id, RecognizedObject* out) const {
     for (const PaperIdentification& other : trace_.priority_list) {
-      if (!other.accepted || !share_surface(id, other)) continue;
-      return "its surfaces belong to model " + std::to_string(model(other).id) +
-             ", which explains more surfaces or fits them better";
+      if (other.accepted || !share_surface(id, other)) continue;
+      out->runner_up_model_id = model(other).id;
+      out->runner_up_score = score_of(other, model(other).diameter);
+      return;
     }
-    return "not accepted";
   }
 
   const std::vector<Model>& library_;
   const std::array<PlanarView, 3>& planar_;
   const PaperTrace& trace_;
 };
+
+/// Fills the trace's hypotheses and priority list; `lap` is called between the two with the number
+/// of hypotheses.
+template <typename Lap>
+void identify(const PaperScene& scene, const std::vector<Model>& library, const Lap& lap,
+              PaperTrace* trace) {
+  std::vector<PaperModel> models;
+  for (const Model& model : library) models.push_back(paper_model(model));
+  std::size_t hypotheses = 0;
+  for (const SurfaceAttributes& surface : scene.surfaces) {
+    trace->hypotheses.push_back(paper_hypotheses(surface, models));
+    for (const PaperHypothesis& h : trace->hypotheses.back()) hypotheses += h.surfaces.size();
+  }
+  lap(hypotheses);
+  trace->priority_list = identify_models(scene, library, models, trace->hypotheses);
+}
 
 }  // namespace
 
@@ -243,31 +158,20 @@ RecognitionResult recognize_paper(const std::vector<View>& views, const std::vec
   for (const View& view : views) cameras.push_back(view.camera);
   const std::array<PlanarView, 3> planar = planar_views(cameras);
 
-  Stopwatch watch;
   RecognitionResult result;
-  const auto count_of = [](const auto& items) { return static_cast<int>(items.size()); };
+  Stopwatch watch;
+  const auto lap = [&](const char* stage, std::size_t count) {
+    result.stages.push_back({stage, static_cast<int>(count), watch.lap()});
+  };
   const RegionsByRole regions = regions_by_role(views, planar, trace);
-  result.stages.push_back(
-      {"regions", trace->regions[0] + trace->regions[1] + trace->regions[2], watch.lap()});
-
+  lap("regions", regions[0].size() + regions[1].size() + regions[2].size());
   make_surfaces(planar, regions, library, trace);
-  result.stages.push_back({"surfaces", count_of(trace->surfaces), watch.lap()});
-
-  const Identification work = prepare(library, planar, regions, *trace);
-  int hypotheses = 0;
-  for (const SurfaceAttributes& surface : work.scene.surfaces) {
-    trace->hypotheses.push_back(paper_hypotheses(surface, work.models));
-    for (const PaperHypothesis& h : trace->hypotheses.back()) hypotheses += count_of(h.surfaces);
-  }
-  result.stages.push_back({"hypotheses", hypotheses, watch.lap()});
-
-  for (std::size_t k = 0; k < library.size(); ++k) {
-    auto identification = identify(work, *trace, static_cast<int>(k));
-    if (identification) trace->priority_list.push_back(std::move(*identification));
-  }
-  order_and_accept(work, &trace->priority_list);
+  lap("surfaces", trace->surfaces.size());
+  const PaperScene scene = scene_of(planar, regions, *trace);
+  identify(
+      scene, library, [&](std::size_t count) { lap("hypotheses", count); }, trace);
   Report(library, planar, *trace).write(&result);
-  result.stages.push_back({"poses", count_of(result.objects), watch.lap()});
+  lap("poses", result.objects.size());
   trace->seconds = result.stages[2].seconds + result.stages[3].seconds;
   return result;
 }

@@ -5,22 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "recognition/paper_hypotheses.hpp"
-#include "recognition/paper_positioning.hpp"
-#include "recognition/paper_verification.hpp"
+#include "recognition/paper_identification.hpp"
 #include "recognition/recognize.hpp"
 #include "recognition/surfaces.hpp"
 
 namespace trihedron {
-
-/// What became of one model of the priority list.
-struct PaperIdentification {
-  int model = 0;          ///< index into the library
-  PaperSequence matches;  ///< identified surfaces
-  PaperPosition position;
-  bool accepted = false;   ///< false: one of its surfaces belongs to a model before it
-  bool truncated = false;  ///< the path search ended early
-};
 
 /// The paper's Tables 1-6 of one scene.
 struct PaperTrace {
@@ -29,7 +18,7 @@ struct PaperTrace {
   int incomplete = 0;                    ///< regions with a corner without a partner
   int not_planar = 0;                    ///< regions whose corners found false partners
   int in_pieces = 0;                     ///< regions that an unfinished contour divides
-  int contradicted = 0;                  ///< surfaces that a corner in front of them contradicts
+  int contradicted = 0;                  ///< surfaces that another view's corners contradict
   int duplicates = 0;                    ///< described ones that a higher view holds too
   std::vector<CrossedSurface> surfaces;  ///< Table 1
   std::vector<std::vector<PaperHypothesis>> hypotheses;  ///< Table 2, per surface

@@ -23,10 +23,10 @@ constexpr int kCornerPx = 2;
 constexpr double kProposalPx = 2.5;
 /// Shorter sides are rounded corners, not edges.
 constexpr int kMinSidePx = 4;
-/// A window that touches both sides of a corner rounds off at most this much of the chain...
-constexpr int kRoundedPx = 8;
+/// Where contours meet, each bends towards the other within a window or two...
+constexpr int kMaxRoundingPx = 12;
 /// ... by at most this distance.
-constexpr double kRoundingPx = 2.0;
+constexpr double kRoundingPx = 1.5;
 /// An intersection farther than this from the bend is ill-conditioned: nearly parallel sides.
 constexpr double kMaxCornerShiftPx = 6.0;
 
@@ -121,9 +121,23 @@ class Sides {
   Line line(int s) const { return fit_line(chain_, bend(s), end(s)); }
   /// One line through side s and the next one.
   Line joint_line(int s) const { return fit_line(chain_, bend(s), end(s) + length(s + 1)); }
+  /// Length of `count` sides from s on.
+  int length(int s, int count) const {
+    int sum = 0;
+    for (int i = 0; i < count; ++i) sum += length(s + i);
+    return sum;
+  }
   void remove_bend(int s) { bends_.erase(bends_.begin() + wrap(s)); }
-  void move_bend(int s, int index) {
-    bends_[static_cast<std::size_t>(wrap(s))] = index % static_cast<int>(chain_.size());
+  /// Puts one bend into the middle of `count` sides from s on, in place of theirs.
+  void contract(int s, int count) {
+    bends_[static_cast<std::size_t>(wrap(s))] =
+        (bend(s) + length(s, count) / 2) % static_cast<int>(chain_.size());
+    std::vector<int> left;
+    for (int i = 0; i < this->count(); ++i) {
+      const int after = wrap(i - wrap(s));
+      if (after == 0 || after > count) left.push_back(bend(i));
+    }
+    bends_ = std::move(left);
   }
 
  private:
@@ -158,9 +172,7 @@ void drop_short(Sides* sides) {
       if (sides->length(s) < sides->length(shortest)) shortest = s;
     }
     if (sides->length(shortest) >= kMinSidePx) return;
-    const int middle = sides->bend(shortest) + sides->length(shortest) / 2;
-    sides->move_bend(shortest, middle);
-    sides->remove_bend(shortest + 1);
+    sides->contract(shortest, 1);
   }
 }
 
@@ -172,20 +184,36 @@ std::optional<Vector2d> meet(const Line& a, const Line& b) {
   return a.point + (d.x() * b.direction.y() - d.y() * b.direction.x()) / cross * a.direction;
 }
 
-/// Removes sides no longer than a window whose neighbours meet next to their middle: the front
-/// end's rounding of one corner.
-void drop_rounded(const Points& chain, Sides* sides) {
-  for (int s = 0; s < sides->count() && sides->count() > 3;) {
-    const int middle = sides->bend(s) + sides->length(s) / 2;
-    const Vector2d& at = chain[static_cast<std::size_t>(middle) % chain.size()];
-    const auto crossing = meet(sides->line(s - 1), sides->line(s + 1));
-    if (sides->length(s) > kRoundedPx || !crossing || (*crossing - at).norm() > kRoundingPx) {
-      ++s;
-      continue;
+double distance(const Line& line, const Vector2d& p) {
+  const Vector2d d = p - line.point;
+  return std::abs(d.x() * line.direction.y() - d.y() * line.direction.x());
+}
+
+/// Whether the `count` sides from s on are only the rounding of the corner where their neighbours
+/// meet: short, and along one or the other of them.
+bool is_rounding(const Points& chain, const Sides& sides, int s, int count) {
+  const int length = sides.length(s, count);
+  if (length > kMaxRoundingPx) return false;
+  const Line before = sides.line(s - 1), after = sides.line(s + count);
+  if (!meet(before, after)) return false;
+  for (int i = 0; i <= length; ++i) {
+    const Vector2d& p = chain[static_cast<std::size_t>(sides.bend(s) + i) % chain.size()];
+    if (std::min(distance(before, p), distance(after, p)) > kRoundingPx) return false;
+  }
+  return true;
+}
+
+/// Replaces roundings by one bend in their middle.
+void drop_roundings(const Points& chain, Sides* sides) {
+  for (int count = 1; count <= 3; ++count) {
+    for (int s = 0; s < sides->count() && sides->count() - count >= 3;) {
+      if (!is_rounding(chain, *sides, s, count)) {
+        ++s;
+        continue;
+      }
+      sides->contract(s, count);
+      s = 0;
     }
-    sides->move_bend(s, middle);
-    sides->remove_bend(s + 1);
-    s = 0;
   }
 }
 
@@ -201,7 +229,7 @@ ImagePolygon fit_polygon(const Points& chain, const Points& proposals) {
   Sides sides(chain, find_bends(chain, proposals));
   drop_short(&sides);
   merge_straight(&sides);
-  drop_rounded(chain, &sides);
+  drop_roundings(chain, &sides);
   if (sides.count() < 3) return {};
   ImagePolygon polygon;
   for (int s = 0; s < sides.count(); ++s) {

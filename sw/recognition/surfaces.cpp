@@ -71,13 +71,6 @@ bool is_planar(const CrossedSurface& surface, double error_mm) {
   return true;
 }
 
-bool is_contradicted(const CrossedSurface& surface, const SpacePolygon& top_corners,
-                     double error_mm) {
-  return surface.role != ViewRole::kTop &&
-         std::any_of(top_corners.begin(), top_corners.end(),
-                     [&](const Vector3d& p) { return contradicts(p, surface, error_mm); });
-}
-
 void append_corners(const std::vector<SpacePolygon>& loops, SpacePolygon* corners) {
   for (const SpacePolygon& loop : loops) corners->insert(corners->end(), loop.begin(), loop.end());
 }
@@ -134,6 +127,16 @@ bool is_duplicate(const SurfaceAttributes& k, const SurfaceAttributes& t, const 
          (k.centroid - t.centroid).norm() <= e * (k.centroid - corner).norm();
 }
 
+void drop_contradicted(const MeasuredCorners& corners, double error_mm, CrossingResult* result) {
+  const std::vector<bool> contradicted = contradicted_surfaces(result->surfaces, corners, error_mm);
+  std::vector<CrossedSurface> kept;
+  for (std::size_t i = 0; i < contradicted.size(); ++i) {
+    if (!contradicted[i]) kept.push_back(std::move(result->surfaces[i]));
+  }
+  result->contradicted = static_cast<int>(contradicted.size() - kept.size());
+  result->surfaces = std::move(kept);
+}
+
 }  // namespace
 
 MeasuredCorners measure_corners(const std::array<PlanarView, 3>& views,
@@ -152,7 +155,6 @@ CrossingResult cross_views(const std::array<PlanarView, 3>& views,
   const MeasuredCorners corners = measure_corners(views, regions);
   const Crossing crossing(views, corners, error_mm);
   CrossingResult result;
-  SpacePolygon top_corners;
   for (std::size_t v = 0; v < 3; ++v) {
     for (std::size_t r = 0; r < regions[v].size(); ++r) {
       CrossedSurface surface{views[v].role, int(r), measure(views[v], regions[v][r]), {}};
@@ -163,17 +165,15 @@ CrossingResult cross_views(const std::array<PlanarView, 3>& views,
         failed = &result.incomplete;
       } else if (!is_planar(surface, error_mm)) {
         failed = &result.not_planar;
-      } else if (is_contradicted(surface, top_corners, error_mm)) {
-        failed = &result.contradicted;
       }
       if (failed) {
         ++*failed;
         continue;
       }
-      if (surface.role == ViewRole::kTop) append_corners(surface.loops, &top_corners);
       result.surfaces.push_back(std::move(surface));
     }
   }
+  drop_contradicted(corners, error_mm, &result);
   return result;
 }
 
