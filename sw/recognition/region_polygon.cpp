@@ -27,6 +27,8 @@ constexpr int kMinSidePx = 4;
 constexpr int kMaxRoundingPx = 12;
 /// ... by at most this distance.
 constexpr double kRoundingPx = 1.5;
+/// Sides less than 20 degrees from opposite are those of a slit, not of a sharp corner (cosine).
+constexpr double kBack = -0.94;
 /// An intersection farther than this from the bend is ill-conditioned: nearly parallel sides.
 constexpr double kMaxCornerShiftPx = 6.0;
 
@@ -118,6 +120,12 @@ class Sides {
   int count() const { return static_cast<int>(bends_.size()); }
   int bend(int s) const { return bends_[static_cast<std::size_t>(wrap(s))]; }
   int length(int s) const { return end(s) - bend(s); }
+  /// Whether the chain turns back within `count` sides from s on: the end of a slit, which is a
+  /// side however short it is.
+  bool turns_back(int s, int count) const {
+    if (length(s - 1) < kMinSidePx || length(s + count) < kMinSidePx) return false;
+    return heading(s - 1).dot(heading(s + count)) < kBack;
+  }
   Line line(int s) const { return fit_line(chain_, bend(s), end(s)); }
   /// One line through side s and the next one.
   Line joint_line(int s) const { return fit_line(chain_, bend(s), end(s) + length(s + 1)); }
@@ -141,6 +149,11 @@ class Sides {
   }
 
  private:
+  Vector2d heading(int s) const {
+    return (chain_[static_cast<std::size_t>(bend(s + 1))] -
+            chain_[static_cast<std::size_t>(bend(s))])
+        .normalized();
+  }
   int wrap(int s) const { return (s % count() + count()) % count(); }
   int end(int s) const {
     const int next = bend(s + 1);
@@ -167,11 +180,12 @@ void merge_straight(Sides* sides) {
 /// Replaces sides too short to be edges by one bend in their middle, shortest first.
 void drop_short(Sides* sides) {
   while (sides->count() > 2) {
-    int shortest = 0;
-    for (int s = 1; s < sides->count(); ++s) {
-      if (sides->length(s) < sides->length(shortest)) shortest = s;
+    int shortest = -1;
+    for (int s = 0; s < sides->count(); ++s) {
+      if (sides->length(s) >= kMinSidePx || sides->turns_back(s, 1)) continue;
+      if (shortest < 0 || sides->length(s) < sides->length(shortest)) shortest = s;
     }
-    if (sides->length(shortest) >= kMinSidePx) return;
+    if (shortest < 0) return;
     sides->contract(shortest, 1);
   }
 }
@@ -193,7 +207,7 @@ double distance(const Line& line, const Vector2d& p) {
 /// meet: short, and along one or the other of them.
 bool is_rounding(const Points& chain, const Sides& sides, int s, int count) {
   const int length = sides.length(s, count);
-  if (length > kMaxRoundingPx) return false;
+  if (length > kMaxRoundingPx || sides.turns_back(s, count)) return false;
   const Line before = sides.line(s - 1), after = sides.line(s + count);
   if (!meet(before, after)) return false;
   for (int i = 0; i <= length; ++i) {
