@@ -17,7 +17,7 @@ TEST_CASE("recognize --method paper --tables prints the paper's tables") {
       run_program("recognize " + kCadTwo + " --models " + kModels + " --method paper --tables");
   CHECK(run.exit_code == 0);
   CHECK(run.err.empty());
-  for (const char* part : {"Table 1.", "Table 2.", "Tables 3, 4.", "Tables 5, 6.", "s1", "(1;",
+  for (const char* part : {"Table 1.", "Table 2.", "Tables 3, 4.", "Tables 5, 6.", "l1 ", "(1;",
                            "model 5", "model 1 ", "d = "})
     CHECK_THAT(run.out, Contains(part));
 }
