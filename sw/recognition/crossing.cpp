@@ -86,19 +86,22 @@ class PairCrosser {
 
  private:
   void cross_one(std::size_t i, std::size_t j, std::vector<SpaceEdge>& out) {
+    segment_a_ = i;
+    segment_b_ = j;
     const auto line = intersect(views_[a_].planes[i], views_[b_].planes[j], min_sine_);
-    if (!line) return;
+    if (!line) {
+      cross_flat(out);
+      return;
+    }
     line_ = *line;
     const Interval p = positions(views_[a_].stops[i], along_a_);
     const Interval q = positions(views_[b_].stops[j], along_b_);
     const double low = std::max(p.low, q.low), high = std::min(p.high, q.high);
     if (high <= low || !set_scales(low, high)) return;
     const double tolerance = tolerance_px_ * mm_per_px_;
-    const double shortest = tolerance / 0.3;  // else its ends could be any of its points
+    const double shortest = tolerance / kSteepest;
     if (high - low < shortest) return;
     agree(views_[a_].stops[i], views_[b_].stops[j], tolerance);
-    segment_a_ = i;
-    segment_b_ = j;
     for (std::size_t k = 0; k < agreed_.size(); ++k) {
       for (std::size_t l = k + 1; l < agreed_.size(); ++l) {
         if (agreed_[l] - agreed_[k] >= shortest) emit(agreed_[k], agreed_[l], true, true, out);
@@ -111,6 +114,52 @@ class PairCrosser {
     if (agreed_[0] > low + tolerance && agreed_.back() - low >= shortest) {
       for (const double t : agreed_) emit(low, t, false, true, out);
     }
+  }
+
+  /// Two views that look along one plane, say at a level edge from two sides, do not see where in
+  /// the plane the edge lies; but the rays of its ends meet.
+  void cross_flat(std::vector<SpaceEdge>& out) {
+    const std::vector<Stop>& stops_a = views_[a_].stops[segment_a_];
+    const std::vector<Stop>& stops_b = views_[b_].stops[segment_b_];
+    meetings_.clear();
+    for (std::size_t k = 0; k < stops_a.size(); ++k) {
+      for (std::size_t l = 0; l < stops_b.size(); ++l) {
+        if (!stops_a[k].end && !stops_b[l].end) continue;
+        if (const auto x = meet(stops_a[k].ray, stops_b[l].ray)) meetings_.push_back({k, l, *x});
+      }
+    }
+    for (std::size_t p = 0; p < meetings_.size(); ++p) {
+      for (std::size_t q = p + 1; q < meetings_.size(); ++q) {
+        const Meeting &m = meetings_[p], &n = meetings_[q];
+        // The whole of one segment: its stops 0 and 1 are its ends.
+        if ((m.a + n.a == 1 && m.b != n.b) || (m.b + n.b == 1 && m.a != n.a)) {
+          emit_between(m.x, n.x, out);
+        }
+      }
+    }
+  }
+
+  /// Where two rays meet within the tolerance.
+  std::optional<Vector3d> meet(const Ray& a, const Ray& b) const {
+    const SpaceLine line{a.origin, a.direction};
+    constexpr double kMinSine2 = 0.01;  // rays closer to parallel (6 degrees) meet anywhere
+    if (a.direction.cross(b.direction).squaredNorm() < kMinSine2) return std::nullopt;
+    const Vector3d x = a.origin + nearest_along(line, b) * a.direction;
+    const Vector3d w = x - b.origin;
+    const Vector3d y = b.origin + b.direction.dot(w) * b.direction;
+    if (!in_front(views_[a_], x) || !in_front(views_[b_], y)) return std::nullopt;
+    const double scale = std::min(views_[a_].ideal.px_per_mm(x), views_[b_].ideal.px_per_mm(y));
+    if ((x - y).norm() * scale > tolerance_px_) return std::nullopt;
+    return Vector3d(0.5 * (x + y));
+  }
+
+  void emit_between(const Vector3d& x, const Vector3d& y, std::vector<SpaceEdge>& out) {
+    const double length = (y - x).norm();
+    if (length < 1e-6) return;
+    line_ = {x, (y - x) / length};
+    if (!set_scales(0, length) || length < tolerance_px_ * mm_per_px_ / kSteepest) return;
+    emit(0, length, true, true, out);
+    out.back().flat = true;
   }
 
   /// Positions of a segment's stops along the line; the interval between its ends.
@@ -165,6 +214,15 @@ class PairCrosser {
     out.push_back(std::move(e));
   }
 
+  /// A stop of each view, and the point that both may show.
+  struct Meeting {
+    std::size_t a, b;
+    Vector3d x;
+  };
+  /// Part of an edge's length that the tolerance may be: beyond, any of its points could be its
+  /// end.
+  static constexpr double kSteepest = 0.3;
+
   const std::vector<ViewLines>& views_;
   std::size_t a_, b_;
   double tolerance_px_, min_sine_;
@@ -172,6 +230,7 @@ class PairCrosser {
   std::size_t segment_a_ = 0, segment_b_ = 0;
   double mm_per_px_ = 0, end_mm_per_px_ = 0, weight_a_ = 0;
   std::vector<double> along_a_, along_b_, agreed_;
+  std::vector<Meeting> meetings_;
 };
 
 /// Fills in the segments of the views that were not crossed.
@@ -185,7 +244,7 @@ void confirm(const std::vector<ViewLines>& views, SpaceEdge& e) {
 
 /// Whether two candidates are one: the same segments in all views and ends that agree.
 bool same(const SpaceEdge& a, const SpaceEdge& b) {
-  if (a.segment != b.segment) return false;
+  if (a.segment != b.segment || a.flat != b.flat) return false;
   const double limit = 3 * std::max(a.mm_per_px, b.mm_per_px);
   const std::size_t flip = a.direction.dot(b.direction) < 0 ? 1 : 0;
   for (const std::size_t k : {0U, 1U}) {

@@ -40,8 +40,9 @@ struct SpaceEdge {
   Eigen::Vector3d direction;           ///< unit, end[0] -> end[1]
   double length = 0;                   ///< mm; a lower bound unless both ends are agreed
   double mm_per_px = 0;                ///< along the edge, in the crossed view that sees it worse
-  double end_mm_per_px = 0;    ///< the same for an end measured by both views together
-  int confirmations = 0;               ///< views beyond two that show it
+  double end_mm_per_px = 0;            ///< the same for an end measured by both views together
+  bool flat = false;  ///< the views look along one plane: only the rays of the ends speak for it
+  int confirmations = 0;  ///< views beyond two that show it
 };
 
 struct CrossingOptions {

@@ -36,6 +36,13 @@ Cells around(const Segment& s, double reach, int columns, int rows) {
 
 }  // namespace
 
+bool all_claimed(const SpaceEdge& e, const Claims& claimed) {
+  for (std::size_t v = 0; v < claimed.size(); ++v) {
+    if (e.segment[v] >= 0 && !claimed[v][static_cast<std::size_t>(e.segment[v])]) return false;
+  }
+  return true;
+}
+
 Evidence::Evidence(const std::vector<ViewLines>& views, const EvidenceOptions& options)
     : views_(views), options_(options) {
   constexpr double kPi = 3.14159265358979323846;
@@ -193,7 +200,7 @@ void Evidence::refine(const Model& model, Transform& pose, int max_samples) cons
 }
 
 void Evidence::claim(const Model& model, const Transform& pose, double min_share,
-                     std::vector<std::vector<char>>& claimed) const {
+                     Claims& claimed) const {
   int samples = 0;
   std::vector<std::pair<std::size_t, std::size_t>> hits;
   visit(model, pose, 8, [&](const Sample& s) {

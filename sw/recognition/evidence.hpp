@@ -11,6 +11,12 @@
 
 namespace trihedron {
 
+/// Per view and segment: whether a pose explains it well.
+using Claims = std::vector<std::vector<char>>;
+
+/// Whether all segments of an edge are claimed.
+bool all_claimed(const SpaceEdge& edge, const Claims& claimed);
+
 struct EvidenceOptions {
   double tolerance_px = 3;      ///< of a projected edge from a segment, across: before refinement
   double tolerance_rad = 0.12;  ///< between their directions
@@ -36,7 +42,7 @@ class Evidence {
   /// Marks the segments that the pose's edges hit, per view, if the hit share of all samples
   /// reaches `min_share`.
   void claim(const Model& model, const Transform& world_from_model, double min_share,
-             std::vector<std::vector<char>>& claimed) const;
+             Claims& claimed) const;
 
  private:
   /// A sample of a projected edge.

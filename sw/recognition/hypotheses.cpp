@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/edge_pairs.hpp"
 #include "recognition/evidence.hpp"
 #include "recognition/pose_pool.hpp"
 
@@ -84,10 +85,11 @@ class Search {
          const LibraryIndex& index, const HypothesisOptions& options, PosePool& pool)
       : views_(views), edges_(edges), index_(index), options_(options), pool_(pool) {}
 
-  /// Poses from edges whose both ends two views agree on.
-  void from_whole_edges() {
+  /// Poses from edges whose both ends two views agree on; of the flat ones or of the others.
+  /// Edges whose segments are all claimed (per view and segment) are left out.
+  void from_whole_edges(bool flat, const Claims& claimed) {
     for (const SpaceEdge& e : edges_) {
-      if (!e.agreed[0] || !e.agreed[1]) continue;
+      if (e.flat != flat || !e.agreed[0] || !e.agreed[1] || all_claimed(e, claimed)) continue;
       for (const std::size_t end : {0U, 1U}) {
         for (const Neighbour& n : neighbours(views_, e, end)) match_whole(e, end, n);
       }
@@ -96,7 +98,7 @@ class Search {
 
   /// Poses from pairs of edges that share an agreed end; their lengths are lower bounds. Corners
   /// whose segments are both claimed (per view and segment) are left out.
-  void from_corners(const std::vector<std::vector<char>>& claimed) {
+  void from_corners(const Claims& claimed) {
     for (std::size_t v = 0; v < views_.size(); ++v) {
       const std::vector<std::vector<End>> ends = ends_by_segment(v);
       for (const Corner& c : views_[v].corners) {
@@ -127,7 +129,7 @@ class Search {
   std::vector<std::vector<End>> ends_by_segment(std::size_t view) const {
     std::vector<std::vector<End>> out(views_[view].segments.size());
     for (const SpaceEdge& e : edges_) {
-      if (e.segment[view] < 0) continue;
+      if (e.segment[view] < 0 || e.flat) continue;
       for (const std::size_t k : {0U, 1U}) {
         if (e.agreed[k]) out[static_cast<std::size_t>(e.segment[view])].push_back({&e, k});
       }
@@ -221,14 +223,16 @@ std::vector<PoseHypothesis> find_hypotheses(const std::vector<ViewLines>& views,
   const Evidence evidence(views);
   PosePool pool(evidence, library, options);
   Search search(views, edges, index, options, pool);
-  search.from_whole_edges();
-  // Whole edges find most objects at little cost; corners are looked at for what is left.
-  std::vector<std::vector<char>> claimed;
+  Claims claimed;
   for (const ViewLines& v : views) claimed.emplace_back(v.segments.size(), 0);
+  search.from_whole_edges(false, claimed);
+  // Whole edges find most objects at little cost; the rest is searched for what is left.
   for (const PoseHypothesis& h : pool.settle()) {
     evidence.claim(library[static_cast<std::size_t>(h.model)], h.world_from_model,
                    options.claim_share, claimed);
   }
+  search.from_whole_edges(true, claimed);
+  poses_from_edge_pairs(views, edges, library, index, options, claimed, pool);
   search.from_corners(claimed);
   const std::vector<PoseHypothesis> out = pool.settle();
   if (statistics != nullptr) {

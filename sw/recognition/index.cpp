@@ -62,35 +62,70 @@ void append_corners(const Model& model, int index, std::vector<ModelCorner>& out
   }
 }
 
+/// Both ways of every edge, one of those that a symmetry maps onto each other.
+void append_edges(const Model& model, int index, std::vector<DirectedEdge>& out) {
+  const std::size_t begin = out.size();
+  const double same_position = 1e-3 * model.diameter;
+  const auto vertex = [&](int v) { return model.mesh.vertices[static_cast<std::size_t>(v)]; };
+  const auto equal = [&](const DirectedEdge& a, const DirectedEdge& b) {
+    return std::any_of(model.symmetries.begin(), model.symmetries.end(), [&](const Transform& s) {
+      return (s * vertex(a.from) - vertex(b.from)).norm() < same_position &&
+             (s * vertex(a.to) - vertex(b.to)).norm() < same_position;
+    });
+  };
+  for (int e = 0; e < static_cast<int>(model.edges.size()); ++e) {
+    const ModelEdge& edge = model.edges[static_cast<std::size_t>(e)];
+    for (const bool back : {false, true}) {
+      const DirectedEdge d{index, e, back ? edge.v1 : edge.v0, back ? edge.v0 : edge.v1,
+                           edge.length};
+      const auto from = out.begin() + static_cast<std::ptrdiff_t>(begin);
+      if (std::none_of(from, out.end(), [&](const auto& other) { return equal(d, other); })) {
+        out.push_back(d);
+      }
+    }
+  }
+}
+
+/// The entries of a sorted list whose key lies in [low, high].
+template <typename T>
+LibraryIndex::Range<T> range(const std::vector<T>& sorted, double T::*key, double low,
+                             double high) {
+  const auto first = std::lower_bound(sorted.begin(), sorted.end(), low,
+                                      [&](const T& x, double v) { return x.*key < v; });
+  const auto last =
+      std::upper_bound(first, sorted.end(), high, [&](double v, const T& x) { return v < x.*key; });
+  return {sorted.data() + (first - sorted.begin()), sorted.data() + (last - sorted.begin())};
+}
+
+template <typename T>
+void sort_by(std::vector<T>& list, double T::*key) {
+  std::stable_sort(list.begin(), list.end(),
+                   [&](const T& a, const T& b) { return a.*key < b.*key; });
+}
+
 }  // namespace
 
 LibraryIndex::LibraryIndex(const std::vector<Model>& library) {
   for (std::size_t i = 0; i < library.size(); ++i) {
     append_corners(library[i], static_cast<int>(i), by_length_);
+    append_edges(library[i], static_cast<int>(i), edges_);
   }
   by_angle_ = by_length_;
-  std::stable_sort(by_length_.begin(), by_length_.end(),
-                   [](const auto& a, const auto& b) { return a.length < b.length; });
-  std::stable_sort(by_angle_.begin(), by_angle_.end(),
-                   [](const auto& a, const auto& b) { return a.angle < b.angle; });
+  sort_by(by_length_, &ModelCorner::length);
+  sort_by(by_angle_, &ModelCorner::angle);
+  sort_by(edges_, &DirectedEdge::length);
 }
 
-LibraryIndex::Range LibraryIndex::by_length(double low, double high) const {
-  const auto first = std::lower_bound(by_length_.begin(), by_length_.end(), low,
-                                      [](const auto& c, double v) { return c.length < v; });
-  const auto last = std::upper_bound(first, by_length_.end(), high,
-                                     [](double v, const auto& c) { return v < c.length; });
-  return {by_length_.data() + (first - by_length_.begin()),
-          by_length_.data() + (last - by_length_.begin())};
+LibraryIndex::Range<ModelCorner> LibraryIndex::by_length(double low, double high) const {
+  return range(by_length_, &ModelCorner::length, low, high);
 }
 
-LibraryIndex::Range LibraryIndex::by_angle(double low, double high) const {
-  const auto first = std::lower_bound(by_angle_.begin(), by_angle_.end(), low,
-                                      [](const auto& c, double v) { return c.angle < v; });
-  const auto last = std::upper_bound(first, by_angle_.end(), high,
-                                     [](double v, const auto& c) { return v < c.angle; });
-  return {by_angle_.data() + (first - by_angle_.begin()),
-          by_angle_.data() + (last - by_angle_.begin())};
+LibraryIndex::Range<ModelCorner> LibraryIndex::by_angle(double low, double high) const {
+  return range(by_angle_, &ModelCorner::angle, low, high);
+}
+
+LibraryIndex::Range<DirectedEdge> LibraryIndex::edges_by_length(double low, double high) const {
+  return range(edges_, &DirectedEdge::length, low, high);
 }
 
 }  // namespace trihedron

@@ -23,25 +23,38 @@ struct ModelCorner {
   std::array<Eigen::Vector3d, 2> aside_normals;  ///< of the surfaces at the second edge
 };
 
+/// An edge of a model walked one way.
+struct DirectedEdge {
+  int model = 0;         ///< index into the library
+  int edge = 0;          ///< index into Model::edges
+  int from = 0, to = 0;  ///< vertices
+  double length = 0;     ///< mm
+};
+
 /// The corners of a library, ordered for look-up. Of corners that a symmetry of their model maps
 /// onto each other, only one is kept: the others would give the same poses.
 class LibraryIndex {
  public:
   explicit LibraryIndex(const std::vector<Model>& library);
 
-  /// Corners whose first edge is between `low` and `high` mm long.
+  /// A run of entries.
+  template <typename T>
   struct Range {
-    const ModelCorner* first;
-    const ModelCorner* last;
-    const ModelCorner* begin() const { return first; }
-    const ModelCorner* end() const { return last; }
+    const T* first;
+    const T* last;
+    const T* begin() const { return first; }
+    const T* end() const { return last; }
   };
-  Range by_length(double low, double high) const;
+  /// Corners whose first edge is between `low` and `high` mm long.
+  Range<ModelCorner> by_length(double low, double high) const;
   /// Corners with an angle between `low` and `high` rad.
-  Range by_angle(double low, double high) const;
+  Range<ModelCorner> by_angle(double low, double high) const;
+  /// Edges between `low` and `high` mm long, both ways unless a symmetry makes them one.
+  Range<DirectedEdge> edges_by_length(double low, double high) const;
 
  private:
   std::vector<ModelCorner> by_length_, by_angle_;
+  std::vector<DirectedEdge> edges_;
 };
 
 }  // namespace trihedron

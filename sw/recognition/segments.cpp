@@ -29,13 +29,21 @@ struct Line {
   double residual = 0;  ///< rms across the line, px
 };
 
+/// Mean squared distance across the best line, px^2; 0 without points.
+double fit_residual_squared(const Moments& m) {
+  if (m.w <= 0) return 0;
+  const double x = m.x / m.w, y = m.y / m.w;
+  const double sxx = m.xx / m.w - x * x, syy = m.yy / m.w - y * y, sxy = m.xy / m.w - x * y;
+  const double spread = std::sqrt((sxx - syy) * (sxx - syy) + 4 * sxy * sxy);
+  return std::max(0.0, 0.5 * (sxx + syy - spread));
+}
+
 Line fit(const Moments& m) {
   const Vector2d c(m.x / m.w, m.y / m.w);
   const double sxx = m.xx / m.w - c.x() * c.x(), syy = m.yy / m.w - c.y() * c.y();
   const double sxy = m.xy / m.w - c.x() * c.y();
   const double angle = 0.5 * std::atan2(2 * sxy, sxx - syy);
-  const double across = 0.5 * (sxx + syy - std::hypot(sxx - syy, 2 * sxy));
-  return {c, {std::cos(angle), std::sin(angle)}, std::sqrt(std::max(0.0, across))};
+  return {c, {std::cos(angle), std::sin(angle)}, std::sqrt(fit_residual_squared(m))};
 }
 
 Vector2d position(const Edgel& e) { return {e.x, e.y}; }
@@ -141,32 +149,51 @@ std::vector<int> seeds_of(const EdgelMap& map, float min_strength) {
   return seeds;
 }
 
-/// The segment through some edge points, in the undistorted image.
-Segment make_segment(const EdgelMap& map, const std::vector<int>& members, const Camera& camera) {
-  Moments m;
-  std::vector<Vector2d> points;
-  points.reserve(members.size());
+/// An edge point in the undistorted image, with its place along the segment it was found on.
+struct Point {
+  Vector2d p;
+  double along, weight, strength;
+};
+
+/// Edge points of a segment in order along it.
+std::vector<Point> ordered_points(const EdgelMap& map, const std::vector<int>& members,
+                                  const Camera& camera) {
   const Edgel& seed = map.edgels[static_cast<std::size_t>(members.front())];
-  Segment s;
+  std::vector<Point> out;
+  out.reserve(members.size());
   for (const int i : members) {
     const Edgel& e = map.edgels[static_cast<std::size_t>(i)];
-    points.push_back(camera.undistort(position(e)));
-    m.add(points.back(), weight(e));
-    s.strength += e.strength;
+    const Vector2d p = camera.undistort(position(e));
+    out.push_back({p, seed.ny * p.x() - seed.nx * p.y(), weight(e), e.strength});
   }
-  const Line line = fit(m);
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Point& a, const Point& b) { return a.along < b.along; });
+  return out;
+}
+
+Moments moments(const std::vector<Point>& points) {
+  Moments m;
+  for (const Point& p : points) m.add(p.p, p.weight);
+  return m;
+}
+
+/// The segment through points in order along it.
+Segment make_segment(const std::vector<Point>& points) {
+  const Line line = fit(moments(points));
+  Segment s;
   s.direction = line.direction;
-  if (line.direction.dot(Vector2d(seed.ny, -seed.nx)) < 0) s.direction = -s.direction;
+  if (line.direction.dot(points.back().p - points.front().p) < 0) s.direction = -s.direction;
   s.normal = {-s.direction.y(), s.direction.x()};
   double low = 0, high = 0;
-  for (const Vector2d& p : points) {
-    low = std::min(low, s.direction.dot(p - line.centre));
-    high = std::max(high, s.direction.dot(p - line.centre));
+  for (const Point& p : points) {
+    low = std::min(low, s.direction.dot(p.p - line.centre));
+    high = std::max(high, s.direction.dot(p.p - line.centre));
+    s.strength += p.strength;
   }
   s.p0 = line.centre + low * s.direction;
   s.p1 = line.centre + high * s.direction;
   s.length = high - low;
-  s.support = static_cast<int>(members.size());
+  s.support = static_cast<int>(points.size());
   s.strength /= s.support;
   // Neighbouring points share the pixels of the 5x5 masks and the 3x3 smoothing: about every
   // third is independent. Sampling leaves 0.1 px even without noise.
@@ -174,6 +201,47 @@ Segment make_segment(const EdgelMap& map, const std::vector<int>& members, const
   s.offset_sigma = rms / std::sqrt(std::max(1.0, s.support / 3.0));
   s.angle_sigma = s.offset_sigma * std::sqrt(12.0) / std::max(s.length, 1.0);
   return s;
+}
+
+/// Where two lines fit the points best: the first index of the second.
+std::size_t best_bend(const std::vector<Point>& points, std::size_t margin) {
+  std::vector<double> error(points.size(), 0);
+  const auto sum = [](const Moments& m) { return m.w * fit_residual_squared(m); };
+  Moments m;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    error[i] += sum(m);
+    m.add(points[i].p, points[i].weight);
+  }
+  m = {};
+  for (std::size_t i = points.size(); i-- > 0;) {
+    m.add(points[i].p, points[i].weight);
+    error[i] += sum(m);
+  }
+  const auto from = error.begin() + static_cast<std::ptrdiff_t>(margin);
+  const auto to = error.end() - static_cast<std::ptrdiff_t>(margin);
+  return static_cast<std::size_t>(std::min_element(from, to) - error.begin());
+}
+
+/// Appends the segment through the points; two where they bend significantly.
+void append_segments(const std::vector<Point>& points, double min_length_px,
+                     std::vector<Segment>& out) {
+  constexpr std::size_t kMargin = 6;     // points that a direction needs
+  constexpr double kSignificance = 4;    // sigmas of the angle between the parts
+  constexpr double kMinBendRad = 0.015;  // remainders of distortion bend as much
+  if (points.size() >= 2 * kMargin + 1) {
+    const auto bend = points.begin() + static_cast<std::ptrdiff_t>(best_bend(points, kMargin));
+    const std::vector<Point> first(points.begin(), bend), second(bend, points.end());
+    const Segment a = make_segment(first), b = make_segment(second);
+    const double angle = std::abs(a.normal.dot(b.direction));
+    if (a.length >= min_length_px && b.length >= min_length_px && angle > kMinBendRad &&
+        angle > kSignificance * std::hypot(a.angle_sigma, b.angle_sigma)) {
+      append_segments(first, min_length_px, out);
+      append_segments(second, min_length_px, out);
+      return;
+    }
+  }
+  const Segment s = make_segment(points);
+  if (s.length >= min_length_px) out.push_back(s);
 }
 
 }  // namespace
@@ -187,14 +255,11 @@ std::vector<Segment> find_segments(const EdgelMap& edgels, const Camera& camera,
     const std::vector<int>& members = grower.grow(seed);
     double evidence = 0;
     for (const int i : members) evidence += edgels.edgels[static_cast<std::size_t>(i)].strength;
+    const std::size_t before = segments.size();
     if (evidence >= options.min_evidence && members.size() >= 4) {
-      const Segment s = make_segment(edgels, members, camera);
-      if (s.length >= options.min_length_px) {
-        segments.push_back(s);
-        continue;
-      }
+      append_segments(ordered_points(edgels, members, camera), options.min_length_px, segments);
     }
-    grower.release();
+    if (segments.size() == before) grower.release();
   }
   std::stable_sort(segments.begin(), segments.end(),
                    [](const Segment& a, const Segment& b) { return a.length > b.length; });
