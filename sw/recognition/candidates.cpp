@@ -11,8 +11,6 @@ namespace {
 
 /// Hypotheses nearer than this refine to the same pose, mm.
 constexpr double kSameHypothesisMm = 3.0;
-/// Refined poses nearer than this are the same, mm.
-constexpr double kSamePoseMm = 1.0;
 
 double vertex_distance(const Model& model, const Transform& a, const Transform& b) {
   double sum = 0;
@@ -20,29 +18,30 @@ double vertex_distance(const Model& model, const Transform& a, const Transform& 
   return sum / static_cast<double>(model.mesh.vertices.size());
 }
 
-struct Ranked {
-  double score;
-  int hypothesis;
-};
+Eigen::Vector3d vertex_mean(const Model& model, const Transform& pose) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : model.mesh.vertices) sum += v;
+  return pose * (sum / static_cast<double>(model.mesh.vertices.size()));
+}
 
-/// The best-scored hypotheses, none near a better one of the same model.
-std::vector<Ranked> distinct(const std::vector<Model>& library,
-                             const std::vector<PoseHypothesis>& hypotheses,
-                             std::vector<Ranked> ranked, int count) {
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const Ranked& a, const Ranked& b) { return a.score > b.score; });
-  std::vector<Ranked> out;
-  for (const Ranked& r : ranked) {
-    if (static_cast<int>(out.size()) >= count) break;
-    const PoseHypothesis& h = hypotheses[r.hypothesis];
-    const bool known = std::any_of(out.begin(), out.end(), [&](const Ranked& other) {
-      const PoseHypothesis& o = hypotheses[other.hypothesis];
-      return o.model == h.model && pose_distance(library[h.model], o.world_from_model,
-                                                 h.world_from_model) < kSameHypothesisMm;
-    });
-    if (!known) out.push_back(r);
+/// The score of one edge's image.
+double score_line(const SpreadMap& map, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  constexpr double kStepPx = 16;             // independent answers
+  constexpr double kHit = 0.9, kMiss = 0.1;  // of an edge that is there
+  const Eigen::Vector2d along = b - a;
+  const int count = static_cast<int>(along.norm() / kStepPx);
+  if (count == 0) return 0;
+  const int bin = ContourField::bin_of(-along.y(), along.x());
+  const double chance = std::clamp(map.density[bin], 0.01, 0.9);
+  const double hit = std::log(kHit / chance), miss = std::log(kMiss / (1 - chance));
+  const double width = map.columns * SpreadMap::kCellPx, height = map.rows * SpreadMap::kCellPx;
+  double score = 0;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector2d x = a + (i + 0.5) / count * along;
+    if (x.x() < 0 || x.y() < 0 || x.x() >= width || x.y() >= height) continue;
+    score += map.near(x, bin) ? hit : miss;
   }
-  return out;
+  return score;
 }
 
 }  // namespace
@@ -55,71 +54,72 @@ double pose_distance(const Model& model, const Transform& a, const Transform& b)
   return best;
 }
 
-double quick_score(const std::vector<FieldView>& views, const Model& model,
-                   const Transform& world_from_model) {
-  constexpr double kStepPx = 16;  // independent answers
-  constexpr int kLevel = 0;       // contours within 4 to 8 px
+double quick_score(const std::vector<FieldView>& views, const std::vector<SpreadMap>& maps,
+                   const Model& model, const Transform& world_from_model) {
   double score = 0;
-  for (const FieldView& view : views) {
-    const ProjectedModel projected = project_model(*view.camera, {&model, world_from_model});
-    std::vector<Eigen::Vector2d> pixels;
+  std::vector<Eigen::Vector2d> pixels;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const Camera& camera = *views[v].camera;
+    const ProjectedModel projected = project_model(camera, {&model, world_from_model});
+    pixels.clear();
     for (const Eigen::Vector3d& x : projected.x_in_camera) {
-      pixels.push_back(view.camera->project_camera(x));
+      pixels.push_back(camera.project_camera(x));
     }
     for (const ModelEdge& edge : model.edges) {
       const bool left = projected.front[edge.left], right = projected.front[edge.right];
       if ((!left && !right) || (!edge.convex && left != right)) continue;
-      const Eigen::Vector2d along = pixels[edge.v1] - pixels[edge.v0];
-      const int count = static_cast<int>(along.norm() / kStepPx);
-      if (count == 0) continue;
-      const int bin = ContourField::bin_of(-along.y(), along.x());
-      const double chance = std::clamp(view.field->density(kLevel, bin), 0.01, 0.9);
-      const double hit = std::log(0.9 / chance), miss = std::log(0.1 / (1 - chance));
-      for (int i = 0; i < count; ++i) {
-        const Eigen::Vector2d x = pixels[edge.v0] + (i + 0.5) / count * along;
-        if (!view.field->inside(x, 0)) continue;
-        score += view.field->near(kLevel, x, bin) ? hit : miss;
-      }
+      score += score_line(maps[v], pixels[edge.v0], pixels[edge.v1]);
     }
   }
   return score;
 }
 
-std::vector<Candidate> find_candidates(const std::vector<FieldView>& views,
-                                       const std::vector<ChanceModel>& chance,
-                                       const std::vector<Model>& library,
-                                       const std::vector<PoseHypothesis>& hypotheses,
-                                       const CandidateOptions& options) {
-  std::vector<Ranked> ranked;
-  const int quick = std::min(options.quick, static_cast<int>(hypotheses.size()));
-  for (int i = 0; i < quick; ++i) {
-    const PoseHypothesis& h = hypotheses[i];
-    ranked.push_back({quick_score(views, library[h.model], h.world_from_model), i});
+std::vector<RankedHypothesis> rank(const SceneInput& input, const std::vector<SpreadMap>& maps,
+                                   int count) {
+  std::vector<RankedHypothesis> ranked;
+  for (int i = 0; i < static_cast<int>(input.hypotheses.size()); ++i) {
+    const PoseHypothesis& h = input.hypotheses[i];
+    const double score = quick_score(input.views, maps, input.library[h.model], h.world_from_model);
+    if (score > 0) ranked.push_back({score, i});
   }
-  std::vector<Candidate> out;
-  VerificationOptions verification;
-  verification.tests = std::max<double>(1, static_cast<double>(hypotheses.size()));
-  for (const Ranked& r : distinct(library, hypotheses, ranked, options.refined)) {
-    const PoseHypothesis& h = hypotheses[r.hypothesis];
-    const Model& model = library[h.model];
-    Candidate candidate;
-    candidate.model = h.model;
-    candidate.pose = refine(views, {{&model, h.world_from_model}}, 0);
-    if (!candidate.pose.converged) continue;
-    const Transform& pose = candidate.pose.world_from_model;
-    const bool known = std::any_of(out.begin(), out.end(), [&](const Candidate& other) {
-      return other.model == h.model &&
-             pose_distance(model, other.pose.world_from_model, pose) < kSamePoseMm;
-    });
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.score > b.score; });
+  std::vector<RankedHypothesis> out;
+  std::vector<Eigen::Vector3d> means;
+  for (const RankedHypothesis& r : ranked) {
+    if (static_cast<int>(out.size()) >= count) break;
+    const PoseHypothesis& h = input.hypotheses[r.hypothesis];
+    const Model& model = input.library[h.model];
+    const Eigen::Vector3d mean = vertex_mean(model, h.world_from_model);
+    bool known = false;
+    for (std::size_t i = 0; i < out.size() && !known; ++i) {
+      const PoseHypothesis& o = input.hypotheses[out[i].hypothesis];
+      // The means are never farther apart than the vertices are on average.
+      known = o.model == h.model && (means[i] - mean).norm() < kSameHypothesisMm &&
+              pose_distance(model, o.world_from_model, h.world_from_model) < kSameHypothesisMm;
+    }
     if (known) continue;
-    const std::vector<PlacedModel> alone = {{&model, pose}};
-    candidate.verdict =
-        verify(views, chance, alone, 0, collect_evidence(views, alone, 0), verification);
-    out.push_back(candidate);
+    out.push_back(r);
+    means.push_back(mean);
   }
-  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
-    return a.verdict.log_against_chance > b.verdict.log_against_chance;
-  });
+  return out;
+}
+
+Candidate make_candidate(const SceneInput& input, int index) {
+  const PoseHypothesis& hypothesis = input.hypotheses[index];
+  const Model& model = input.library[hypothesis.model];
+  RefinementOptions options;
+  options.reaches_mm = {5, 2.5, 1};
+  options.exact_rounds = 2;
+  Candidate out;
+  out.model = hypothesis.model;
+  out.pose = refine(input.views, {{&model, hypothesis.world_from_model}}, 0, options);
+  VerificationOptions verification;
+  verification.tests = std::max<double>(1, static_cast<double>(input.hypotheses.size()));
+  const std::vector<PlacedModel> alone = {{&model, out.pose.world_from_model}};
+  out.alone = verify(input.views, input.maps, alone, 0, collect_evidence(input.views, alone, 0),
+                     verification);
+  out.verdict = out.alone;
   return out;
 }
 

@@ -8,31 +8,42 @@
 
 namespace trihedron {
 
+/// What the search for an explanation works on; all of it outlives the search.
+struct SceneInput {
+  std::vector<FieldView> views;
+  std::vector<SpreadMap> maps;  ///< per view, of all contours
+  const std::vector<Model>& library;
+  const std::vector<PoseHypothesis>& hypotheses;
+};
+
 /// Mean distance in mm of the vertices of `model` between two poses, symmetries allowed for.
 double pose_distance(const Model& model, const Transform& a, const Transform& b);
+
+/// A hypothesis and how well it agrees at a glance.
+struct RankedHypothesis {
+  double score = 0;  ///< log likelihood ratio against chance; below 0: as good as a random pose
+  int hypothesis = 0;
+};
+
+/// A pose's log likelihood ratio against chance, from points on its possible edges and a map per
+/// view: a few microseconds, no hidden lines.
+double quick_score(const std::vector<FieldView>& views, const std::vector<SpreadMap>& maps,
+                   const Model& model, const Transform& world_from_model);
+
+/// At most `count` hypotheses better than chance, best first, none near a better one of the same
+/// model. `maps` may leave out contours that are explained.
+std::vector<RankedHypothesis> rank(const SceneInput& input, const std::vector<SpreadMap>& maps,
+                                   int count);
 
 /// A hypothesis on its way to become an object.
 struct Candidate {
   int model = 0;  ///< index into the library
   RefinedPose pose;
-  Verdict verdict;
+  Verdict alone;    ///< as if nothing hid it
+  Verdict verdict;  ///< among the others
 };
 
-struct CandidateOptions {
-  int quick = 400;   ///< hypotheses that get the quick score, likeliest first
-  int refined = 24;  ///< of those that are refined
-};
-
-/// A hypothesis' share of points on its possible edges that have a contour of their direction
-/// nearby, weighed against chance: a few microseconds.
-double quick_score(const std::vector<FieldView>& views, const Model& model,
-                   const Transform& world_from_model);
-
-/// The best distinct hypotheses, refined and judged as if nothing hid them, most evidence first.
-std::vector<Candidate> find_candidates(const std::vector<FieldView>& views,
-                                       const std::vector<ChanceModel>& chance,
-                                       const std::vector<Model>& library,
-                                       const std::vector<PoseHypothesis>& hypotheses,
-                                       const CandidateOptions& options = {});
+/// Refines hypothesis `index` and judges it alone.
+Candidate make_candidate(const SceneInput& input, int index);
 
 }  // namespace trihedron

@@ -27,8 +27,6 @@ double bell(double u) {
 
 ContourField::ContourField(const ViewFeatures& features)
     : features_(&features), width_(features.width), height_(features.height) {
-  columns_ = (width_ + kCellPx - 1) / kCellPx;
-  rows_ = (height_ + kCellPx - 1) / kCellPx;
   constexpr std::size_t kStride = 13;  // a sample of the pixels will do, prime to most widths
   std::vector<int> magnitudes;
   for (std::size_t i = 0; i < features.contour.size(); i += kStride) {
@@ -42,8 +40,6 @@ ContourField::ContourField(const ViewFeatures& features)
   }
   noise_ = std::max(noise_, kRoundingNoise * kGradientScale);
   build_bins(features);
-  build_spread();
-  find_line_pixels();
 }
 
 int ContourField::bin_of(double gx, double gy) {
@@ -72,70 +68,16 @@ int ContourField::bin_of(double gx, double gy) {
 
 void ContourField::build_bins(const ViewFeatures& features) {
   bins_.assign(features.contour.size(), 0);
-  for (std::size_t i = 0; i < features.contour.size(); ++i) {
-    const ContourBeat& beat = features.contour[i];
-    if (beat.contour()) bins_[i] = static_cast<std::uint8_t>(1U << bin_of(beat.gx, beat.gy));
-  }
-}
-
-void ContourField::find_line_pixels() {
-  constexpr int kMargin = 8;
-  // Steps along the contour at which it must still be there, px: a speck of noise is shorter.
-  constexpr float kSteps[] = {3, 6};
-  for (int y = kMargin; y < height_ - kMargin; ++y) {
-    for (int x = kMargin; x < width_ - kMargin; ++x) {
-      if (!directions(x, y)) continue;
-      const ContourBeat& beat = features_->at(x, y);
-      const Eigen::Vector2f normal =
-          Eigen::Vector2f(static_cast<float>(beat.gx), static_cast<float>(beat.gy)).normalized();
-      const Eigen::Vector2f at(static_cast<float>(x), static_cast<float>(y));
-      bool linked[2] = {true, true};
-      for (const float step : kSteps) {
-        for (int side = 0; side < 2; ++side) {
-          const Eigen::Vector2f p =
-              at + (side ? step : -step) * Eigen::Vector2f(-normal.y(), normal.x());
-          const Eigen::Vector2d q = p.cast<double>();
-          linked[side] &= !std::isnan(nearest_contour(q, normal.cast<double>(), 1.8));
-        }
-      }
-      if (linked[0] || linked[1]) line_pixels_.push_back({at, normal});
-    }
-  }
-}
-
-void ContourField::build_spread() {
-  const auto cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  std::vector<std::uint8_t> own(cells, 0);
+  std::size_t i = 0;
   for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const std::uint8_t mask = bins_[static_cast<std::size_t>(y) * width_ + x];
-      if (mask) own[static_cast<std::size_t>(y / kCellPx) * columns_ + x / kCellPx] |= mask;
+    for (int x = 0; x < width_; ++x, ++i) {
+      const ContourBeat& beat = features.contour[i];
+      if (!beat.contour()) continue;
+      const int bin = bin_of(beat.gx, beat.gy);
+      bins_[i] = static_cast<std::uint8_t>(1U << bin);
+      pixels_.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+                         static_cast<std::uint8_t>(bin)});
     }
-  }
-  std::vector<std::uint8_t> rows(cells);
-  for (int level = 0; level < kLevels; ++level) {
-    const int reach = 1 << level;
-    std::vector<std::uint8_t>& out = spread_[level];
-    out.assign(cells, 0);
-    for (int y = 0; y < rows_; ++y) {
-      for (int x = 0; x < columns_; ++x) {
-        std::uint8_t mask = 0;
-        const int last = std::min(columns_ - 1, x + reach);
-        for (int i = std::max(0, x - reach); i <= last; ++i) mask |= own[y * columns_ + i];
-        rows[y * columns_ + x] = mask;
-      }
-    }
-    for (int y = 0; y < rows_; ++y) {
-      for (int j = std::max(0, y - reach); j <= std::min(rows_ - 1, y + reach); ++j) {
-        for (int x = 0; x < columns_; ++x) out[y * columns_ + x] |= rows[j * columns_ + x];
-      }
-    }
-    for (std::uint8_t mask : out) {
-      for (int bin = 0; bin < kBins; ++bin) density_[level][bin] += (mask >> bin) & 1;
-    }
-    occupied_area_px_ = static_cast<double>(kCellPx * kCellPx) *
-                        static_cast<double>(out.size() - std::count(out.begin(), out.end(), 0));
-    for (double& d : density_[level]) d /= static_cast<double>(std::max<std::size_t>(1, cells));
   }
 }
 

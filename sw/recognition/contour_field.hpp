@@ -23,9 +23,7 @@ struct EdgeProfile {
 /// brighter.
 class ContourField {
  public:
-  static constexpr int kBins = 8;    ///< of 22.5 degrees
-  static constexpr int kCellPx = 4;  ///< of the spread maps
-  static constexpr int kLevels = 3;  ///< spread maps: cells within 1, 2, 4 cells
+  static constexpr int kBins = 8;  ///< of 22.5 degrees
 
   explicit ContourField(const ViewFeatures& features);
 
@@ -34,21 +32,17 @@ class ContourField {
   /// Standard deviation of a gradient component where the image is flat, from its median
   /// magnitude: image noise and texture, at least that of rounding to 8 bits.
   double noise() const { return noise_; }
-  /// Share of the spread map's cells, at `level`, that hold the direction bin.
-  double density(int level, int bin) const { return density_[level][bin]; }
-
-  /// Area within about 16 px of some contour, px^2: where things are.
-  double occupied_area_px() const { return occupied_area_px_; }
+  /// A pixel of the contour and its direction's bin.
+  struct Pixel {
+    std::int16_t x, y;
+    std::uint8_t bin;
+  };
+  /// All contour pixels in raster order.
+  const std::vector<Pixel>& pixels() const { return pixels_; }
 
   bool inside(const Eigen::Vector2d& x, double margin_px) const {
     return x.x() >= margin_px && x.y() >= margin_px && x.x() <= width_ - 1 - margin_px &&
            x.y() <= height_ - 1 - margin_px;
-  }
-  /// Whether some contour pixel of about this direction lies near x: within 1, 2 or 4 cells.
-  bool near(int level, const Eigen::Vector2d& x, int bin) const {
-    const int column = static_cast<int>(x.x()) / kCellPx, row = static_cast<int>(x.y()) / kCellPx;
-    if (x.x() < 0 || x.y() < 0 || column >= columns_ || row >= rows_) return false;
-    return (spread_[level][row * columns_ + column] >> bin) & 1;
   }
   /// Direction bins of the contour pixel at (x, y), as a bit mask; 0: no contour.
   std::uint8_t directions(int x, int y) const { return bins_[y * width_ + x]; }
@@ -70,15 +64,6 @@ class ContourField {
   Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
 
   static constexpr double kProfilePx = 6;
-  /// A contour pixel that continues on both sides along its direction: part of a line, not a
-  /// speck of noise.
-  struct LinePixel {
-    Eigen::Vector2f x;       ///< px
-    Eigen::Vector2f normal;  ///< unit, along the gradient
-  };
-  /// All of them, in raster order.
-  const std::vector<LinePixel>& line_pixels() const { return line_pixels_; }
-
   /// The bin of a gradient direction.
   static int bin_of(double gx, double gy);
 
@@ -87,17 +72,12 @@ class ContourField {
   void walk(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
             Visit visit) const;
   void build_bins(const ViewFeatures& features);
-  void build_spread();
-  void find_line_pixels();
 
   const ViewFeatures* features_;
-  int width_ = 0, height_ = 0, columns_ = 0, rows_ = 0;
+  int width_ = 0, height_ = 0;
   double noise_ = 0;
-  double occupied_area_px_ = 0;
   std::vector<std::uint8_t> bins_;
-  std::vector<LinePixel> line_pixels_;
-  std::vector<std::uint8_t> spread_[kLevels];
-  double density_[kLevels][kBins] = {};
+  std::vector<Pixel> pixels_;
 };
 
 }  // namespace trihedron

@@ -59,7 +59,7 @@ struct FaintStep {
 struct Collector {
   const FieldView& view;
   const std::vector<VisibleEdge>& lines;   // of all objects
-  const std::vector<VisibleEdge>& others;  // of all but the one in question
+  const std::vector<VisibleEdge>& others;  // of those that come first
   double least_px, reach_px;               // displacements that count
   std::vector<double> hits;
 
@@ -88,58 +88,7 @@ struct Collector {
     }
     return view.field->inside(p.x, ContourField::kProfilePx) ? Finding::kFlat : Finding::kSilent;
   }
-
-  /// Whether the contour of a found piece runs straight on beyond its end (towards `out`).
-  bool runs_on(const Eigen::Vector2d& end, const Eigen::Vector2d& out,
-               const Eigen::Vector2d& normal) {
-    constexpr double kFirstPx = 4, kLastPx = 12;
-    int on = 0, asked = 0;
-    for (double s = kFirstPx; s <= kLastPx; s += 2) {
-      const Eigen::Vector2d x = end + s * out;
-      if (!view.field->inside(x, ContourField::kProfilePx)) return false;
-      if (explained(x, normal, kExplainedPx, lines)) return false;
-      ++asked;
-      on += !std::isnan(view.field->nearest_contour(x, normal, kContourPx));
-    }
-    return on >= asked - 1;
-  }
 };
-
-double distance_to(const Eigen::Vector2d& x, const VisibleEdge& line) {
-  const Eigen::Vector2d along = line.x1 - line.x0;
-  const double t = along.dot(x - line.x0) / std::max(along.squaredNorm(), 1e-12);
-  return (x - line.x0 - std::clamp(t, 0.0, 1.0) * along).norm();
-}
-
-/// Contour lines within the surfaces of the object that are not predicted.
-void collect_foreign(const FieldView& view, const std::vector<PlacedModel>& objects, int index,
-                     const std::vector<VisibleEdge>& lines, double reach_px, ObjectEvidence& out) {
-  constexpr double kClearPx = 5;            // lines nearer than this to a pixel may explain it
-  constexpr double kParallelCosine = 0.99;  // 8 degrees, a pixel's direction is that uncertain
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e9), high = -low;
-  for (const VisibleEdge& line : lines) {
-    if (line.object != index) continue;
-    low = low.cwiseMin(line.x0).cwiseMin(line.x1);
-    high = high.cwiseMax(line.x0).cwiseMax(line.x1);
-  }
-  const SurfaceMap map = surface_map(*view.camera, objects);
-  for (const ContourField::LinePixel& pixel : view.field->line_pixels()) {
-    const Eigen::Vector2d x = pixel.x.cast<double>();
-    if ((x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
-    const std::int32_t id = map.at(x.x(), x.y());
-    if (id < 0 || SurfaceMap::object_of(id) != index) continue;
-    bool near = false, parallel = false;
-    for (const VisibleEdge& line : lines) {
-      const double d = distance_to(x, line);
-      near |= d < kClearPx;
-      parallel |= line.object == index && d < reach_px &&
-                  std::abs(line.normal.dot(pixel.normal.cast<double>())) > kParallelCosine;
-    }
-    if (near) continue;
-    out.foreign_px += 1;
-    out.parallel_px += parallel;
-  }
-}
 
 /// A point beside which an edge was found.
 struct Beside {
@@ -182,7 +131,10 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
                   ObjectEvidence& out) {
   const auto lines = visible_edges(*view.camera, objects);
   std::vector<VisibleEdge> own, others;
-  for (const VisibleEdge& line : lines) (line.object == index ? own : others).push_back(line);
+  for (const VisibleEdge& line : lines) {
+    if (line.object == index) own.push_back(line);
+    if (line.object < index) others.push_back(line);
+  }
   const PlacedModel& placed = objects[index];
   const double px_per_mm = view.camera->px_per_mm_at(placed.world_from_model.t);
   Collector collector{view,
@@ -191,7 +143,6 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
                       std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
                       kSimilarShapes * placed.model->diameter * px_per_mm,
                       {}};
-  collect_foreign(view, objects, index, lines, collector.reach_px, out);
   const auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
   std::vector<Beside> beside;
   for (std::size_t i = 0; i < points.size();) {
@@ -220,11 +171,6 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
     if (piece.points == 0) continue;
     settle(piece, beside, found);
     if (faint.clear()) std::swap(piece.weak, piece.flat);
-    if (piece.found > 0.5) {
-      const Eigen::Vector2d along = (line.x1 - line.x0) / line.length_px;
-      piece.continued = (line.s0 == 0 && collector.runs_on(line.x0, -along, line.normal)) ||
-                        (line.s1 == 1 && collector.runs_on(line.x1, along, line.normal));
-    }
     out.found_px += piece.found * piece.length_px;
     out.displaced_px += piece.displaced * piece.length_px;
     out.flat_px += (piece.flat + piece.weak) * piece.length_px;

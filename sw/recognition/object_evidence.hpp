@@ -26,7 +26,6 @@ struct PieceEvidence {
   double displacement_px = 0;  ///< median of the displaced points' distances, along `normal`
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();          ///< as in VisibleEdge
   Eigen::Vector3d middle_in_world = Eigen::Vector3d::Zero();  ///< mm
-  bool continued = false;  ///< the contour runs on past an end that the model says it has
 };
 
 inline constexpr double kEvidenceStepPx = 4;
@@ -35,9 +34,6 @@ inline constexpr double kEvidenceStepPx = 4;
 struct ObjectEvidence {
   std::vector<PieceEvidence> pieces;
   double found_px = 0, displaced_px = 0, flat_px = 0;  ///< summed over the pieces
-  double foreign_px = 0;   ///< contour lines within the object's visible surfaces that no
-                           ///< predicted line explains
-  double parallel_px = 0;  ///< those of them beside and parallel to an edge of the object
 };
 
 /// Edges beside a predicted one count as displaced from here on, mm: 10 % of a feature of 20 mm.
@@ -45,7 +41,8 @@ inline constexpr double kLeastDisplacementMm = 2;
 /// Edges beside a predicted one are looked for up to this share of the model's diameter.
 inline constexpr double kSimilarShapes = 0.12;
 
-/// Collects the evidence for `objects[index]`. The image lines of all `objects` count as explained.
+/// Collects the evidence for `objects[index]`. The image lines of all `objects` count as
+/// explained; a contour where an object with a smaller index has a line proves nothing here.
 ObjectEvidence collect_evidence(const std::vector<FieldView>& views,
                                 const std::vector<PlacedModel>& objects, int index);
 

@@ -179,7 +179,7 @@ double log10_tail(double n, double q, double p) {
   return -n * divergence / std::log(10.0);
 }
 
-void judge_chance(const std::vector<ChanceModel>& chance, const ObjectEvidence& evidence,
+void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence,
                   double tests, Verdict& out) {
   double n = 0, p_sum = 0, found = 0;
   for (const PieceEvidence& piece : evidence.pieces) {
@@ -206,28 +206,7 @@ std::string text(const char* format, double a, double b = 0) {
 
 }  // namespace
 
-ChanceModel chance_model(const ContourField& field) {
-  ChanceModel out;
-  // A point is found within about 2 px on either side of a contour, of three direction bins.
-  constexpr double kBandPx = 4;
-  constexpr double kLeast = 0.02;
-  double counts[ContourField::kBins] = {};
-  for (int y = 0; y < field.height(); ++y) {
-    for (int x = 0; x < field.width(); ++x) {
-      const unsigned mask = field.directions(x, y);
-      for (int bin = 0; mask && bin < ContourField::kBins; ++bin) counts[bin] += (mask >> bin) & 1;
-    }
-  }
-  const double area = std::max(1.0, field.occupied_area_px());
-  for (int bin = 0; bin < ContourField::kBins; ++bin) {
-    const double three = counts[bin] + counts[(bin + 1) % ContourField::kBins] +
-                         counts[(bin + ContourField::kBins - 1) % ContourField::kBins];
-    out.found[bin] = std::clamp(kBandPx * three / area, kLeast, 0.9);
-  }
-  return out;
-}
-
-Verdict verify(const std::vector<FieldView>& views, const std::vector<ChanceModel>& chance,
+Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>& chance,
                const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,
                const VerificationOptions& options) {
   Verdict out;

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "recognition/object_evidence.hpp"
+#include "recognition/spread_map.hpp"
 
 namespace trihedron {
-
-/// How well one view's contours could be met by accident.
-struct ChanceModel {
-  /// Probability that a random point near the contours finds one of its direction, per bin.
-  double found[ContourField::kBins] = {};
-};
-
-ChanceModel chance_model(const ContourField& field);
 
 /// A surface of the model that seems to lie elsewhere on the object in the scene.
 struct DisplacedSurface {
@@ -45,9 +38,10 @@ struct VerificationOptions {
   double tests = 1e4;  ///< poses that were in question
 };
 
-/// Judges `objects[index]` by its evidence. Nothing is tuned to a score: the object must be
-/// unlikely as an accident, and likelier than a shape or pose that agrees only in part.
-Verdict verify(const std::vector<FieldView>& views, const std::vector<ChanceModel>& chance,
+/// Judges `objects[index]` by its evidence; `chance` is each view's map of all contours. Nothing is
+/// tuned to a score: the object must be unlikely as an accident, and likelier than a shape or pose
+/// that agrees only in part.
+Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>& chance,
                const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,
                const VerificationOptions& options = {});
 

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/scene_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace trihedron {
+namespace {
+
+/// Solids of verified poses penetrate each other by less, mm: the poses' errors.
+constexpr double kPenetrationMm = 2.0;
+/// A candidate may stand in for an occluder once so much of it is found, before it is accepted.
+constexpr double kTentativeShare = 0.5;
+/// Expected false alarms of a candidate that may be tried at all, as log10.
+constexpr double kTentativeLog10 = -3;
+/// Two answers are equally good when their log evidence differs by less than this share of it:
+/// contrast and shadows spread the evidence of a true object by about so much.
+constexpr double kAmbiguous = 0.02;
+/// Rivals for an object's place are looked at when their quick score reaches this share of its
+/// own, and so many of them.
+constexpr double kRivalShare = 0.7;
+constexpr int kRivals = 3;
+/// Poses that differ by less than this share of the diameter are one answer.
+constexpr double kSameAnswer = 0.05;
+/// Refined poses nearer than this are the same, mm.
+constexpr double kSamePoseMm = 1.0;
+
+}  // namespace
+
+SceneSearch::SceneSearch(const SceneInput& input, const SceneSearchOptions& options)
+    : input_(input), options_(options), tried_(input.hypotheses.size(), 0) {}
+
+void SceneSearch::run() {
+  for (int idle = 0; idle < options_.patience;) {
+    const std::vector<int> before = active_;
+    if (!try_batch()) break;
+    idle = active_ == before ? idle + 1 : 0;
+  }
+  settle_rivals();
+}
+
+int SceneSearch::runner_up(int active) const {
+  const auto found = runner_up_.find(active);
+  return found == runner_up_.end() ? -1 : found->second;
+}
+
+PlacedModel SceneSearch::placed(int i) const {
+  return {&input_.library[candidates_[i].model], candidates_[i].pose.world_from_model};
+}
+
+const InnerPoints& SceneSearch::inner(int model) {
+  const auto found = inner_.find(model);
+  if (found != inner_.end()) return found->second;
+  return inner_[model] = inner_points(input_.library[model], kPenetrationMm);
+}
+
+bool SceneSearch::in_conflict(int a, int b) {
+  return overlap(placed(a), inner(candidates_[a].model), placed(b), inner(candidates_[b].model));
+}
+
+bool SceneSearch::known(const Candidate& candidate) const {
+  const Model& model = input_.library[candidate.model];
+  return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& other) {
+    return other.model == candidate.model &&
+           pose_distance(model, other.pose.world_from_model, candidate.pose.world_from_model) <
+               kSamePoseMm;
+  });
+}
+
+void SceneSearch::reject(int i, const std::string& reason) {
+  dead_[i] = 1;
+  candidates_[i].verdict.accepted = false;
+  candidates_[i].verdict.reason = reason;
+}
+
+bool SceneSearch::below_table(const Candidate& candidate, std::string& reason) const {
+  double lowest = 1e300;
+  for (const Eigen::Vector3d& v : input_.library[candidate.model].mesh.vertices) {
+    lowest = std::min(lowest, (candidate.pose.world_from_model * v).z());
+  }
+  const double sigma = std::sqrt(candidate.pose.covariance(5, 5));
+  if (!options_.table || lowest > -(kPenetrationMm + 3 * sigma)) return false;
+  char text[80];
+  std::snprintf(text, sizeof text, "below the table: reaches z = %.1f mm", lowest);
+  reason = text;
+  return true;
+}
+
+std::vector<RankedHypothesis> SceneSearch::rank_rest() {
+  if (active_.empty()) return rank(input_, input_.maps, options_.ranked);
+  std::vector<PlacedModel> objects;
+  for (int i : active_) objects.push_back(placed(i));
+  std::vector<SpreadMap> maps;
+  for (const FieldView& view : input_.views) {
+    maps.push_back(spread_map(*view.field, visible_edges(*view.camera, objects)));
+  }
+  return rank(input_, maps, options_.ranked);
+}
+
+bool SceneSearch::try_batch() {
+  int added = 0;
+  for (const RankedHypothesis& ranked : rank_rest()) {
+    if (added >= options_.batch) break;
+    if (tried_[ranked.hypothesis]) continue;
+    const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
+    const PlacedModel place{&input_.library[h.model], h.world_from_model};
+    const bool taken = std::any_of(active_.begin(), active_.end(), [&](int i) {
+      return overlap(place, inner(h.model), placed(i), inner(candidates_[i].model));
+    });
+    if (taken) continue;
+    add(ranked.hypothesis);
+    ++added;
+  }
+  if (added) settle();
+  return added > 0;
+}
+
+void SceneSearch::add(int hypothesis) {
+  tried_[hypothesis] = 1;
+  Candidate candidate = make_candidate(input_, hypothesis);
+  if (!candidate.pose.converged || known(candidate)) return;
+  std::string reason;
+  const bool below = below_table(candidate, reason);
+  candidates_.push_back(candidate);
+  dead_.push_back(0);
+  if (below) reject(static_cast<int>(candidates_.size()) - 1, reason);
+}
+
+/// Adds candidates that are in nobody's place, most evidence first.
+void SceneSearch::fill() {
+  std::vector<int> order;
+  for (int i = 0; i < static_cast<int>(candidates_.size()); ++i) {
+    const Verdict& alone = candidates_[i].alone;
+    if (dead_[i] || std::count(active_.begin(), active_.end(), i)) continue;
+    if (alone.log10_false_alarms > kTentativeLog10 || alone.found_share < kTentativeShare) continue;
+    order.push_back(i);
+  }
+  const auto more_evidence = [&](int a, int b) {
+    return candidates_[a].alone.log_against_chance > candidates_[b].alone.log_against_chance;
+  };
+  std::stable_sort(order.begin(), order.end(), more_evidence);
+  for (int i : order) {
+    const bool free = std::none_of(active_.begin(), active_.end(),
+                                   [&](int other) { return in_conflict(i, other); });
+    if (free) active_.push_back(i);
+  }
+  std::stable_sort(active_.begin(), active_.end(), more_evidence);
+}
+
+std::vector<PlacedModel> SceneSearch::context_of(int i, int& position) const {
+  std::vector<PlacedModel> out;
+  position = -1;
+  for (int other : active_) {
+    if (other == i) position = static_cast<int>(out.size());
+    out.push_back(placed(other));
+  }
+  if (position < 0) {
+    position = static_cast<int>(out.size());
+    out.push_back(placed(i));
+  }
+  return out;
+}
+
+/// Refines and judges candidate i with the active ones before it, unless nothing changed.
+void SceneSearch::judge(int i) {
+  std::vector<int> neighbours;
+  for (int other : active_) neighbours.push_back(other);
+  if (!std::count(active_.begin(), active_.end(), i)) neighbours.push_back(i);
+  const auto last = judged_in_.find(i);
+  if (last != judged_in_.end() && last->second == neighbours) return;
+  judged_in_[i] = neighbours;
+  Candidate& candidate = candidates_[i];
+  int position = 0;
+  auto context = context_of(i, position);
+  RefinementOptions near;
+  near.reaches_mm = {1};
+  near.exact_rounds = 2;
+  const RefinedPose refined = refine(input_.views, context, position, near);
+  if (refined.converged) {
+    candidate.pose = refined;
+    context[position] = placed(i);
+  }
+  VerificationOptions options;
+  options.tests = std::max<double>(1, static_cast<double>(input_.hypotheses.size()));
+  candidate.verdict = verify(input_.views, input_.maps, context, position,
+                             collect_evidence(input_.views, context, position), options);
+}
+
+/// Judges all active objects together; removes the worst of those that fail. False when none
+/// fails.
+bool SceneSearch::remove_worst() {
+  for (int i : active_) judge(i);
+  int worst = -1;
+  for (int i : active_) {
+    const Verdict& verdict = candidates_[i].verdict;
+    if (verdict.accepted) continue;
+    if (worst < 0 || verdict.found_share < candidates_[worst].verdict.found_share) worst = i;
+  }
+  if (worst < 0) return false;
+  dead_[worst] = 1;
+  active_.erase(std::find(active_.begin(), active_.end(), worst));
+  return true;
+}
+
+void SceneSearch::settle() {
+  const std::vector<int> before = active_;
+  fill();
+  while (remove_worst()) fill();
+  const bool grown = std::any_of(active_.begin(), active_.end(), [&](int i) {
+    return !std::count(before.begin(), before.end(), i);
+  });
+  if (!grown) return;
+  // What failed alone may be hidden by what is new.
+  std::string reason;
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (dead_[i] && !below_table(candidates_[i], reason)) dead_[i] = 0;
+  }
+  fill();
+  while (remove_worst()) fill();
+}
+
+/// Refines the best hypotheses that claim an object's place with another answer.
+void SceneSearch::find_rivals(int winner) {
+  const double own = quick_score(input_.views, input_.maps, *placed(winner).model,
+                                 placed(winner).world_from_model);
+  int found = 0;
+  for (const RankedHypothesis& ranked : rank(input_, input_.maps, options_.ranked)) {
+    if (found >= kRivals || ranked.score < kRivalShare * own) break;
+    const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
+    const PlacedModel place{&input_.library[h.model], h.world_from_model};
+    if (tried_[ranked.hypothesis] ||
+        !overlap(place, inner(h.model), placed(winner), inner(candidates_[winner].model))) {
+      continue;
+    }
+    add(ranked.hypothesis);
+    ++found;
+  }
+}
+
+bool SceneSearch::is_rival(int i, int winner) {
+  if (std::count(active_.begin(), active_.end(), i) || !in_conflict(i, winner)) return false;
+  const bool same =
+      candidates_[i].model == candidates_[winner].model &&
+      pose_distance(*placed(i).model, placed(i).world_from_model, placed(winner).world_from_model) <
+          kSameAnswer * placed(i).model->diameter;
+  if (same) return false;
+  return std::none_of(active_.begin(), active_.end(),
+                      [&](int other) { return other != winner && in_conflict(i, other); });
+}
+
+/// Finds each object's best rival for its place; where the two are equally good, neither is
+/// reported.
+void SceneSearch::settle_rivals() {
+  const std::vector<int> winners = active_;
+  for (int winner : winners) find_rivals(winner);
+  for (int winner : winners) {
+    bool ambiguous = false;
+    for (int i = 0; i < static_cast<int>(candidates_.size()); ++i) {
+      const double theirs_alone = candidates_[i].alone.log_against_chance;
+      const double mine = candidates_[winner].verdict.log_against_chance;
+      if (theirs_alone < kRivalShare * mine || !is_rival(i, winner)) continue;
+      const auto place = std::find(active_.begin(), active_.end(), winner);
+      *place = i;  // the same scene with the rival in the winner's place
+      judge(i);
+      *place = winner;
+      const Verdict& theirs = candidates_[i].verdict;
+      const int best = runner_up(winner);
+      if (best < 0 || theirs.log_against_chance > candidates_[best].verdict.log_against_chance) {
+        runner_up_[winner] = i;
+      }
+      if (!theirs.accepted) continue;
+      const bool equal = theirs.log_against_chance > mine * (1 - kAmbiguous);
+      ambiguous = ambiguous || equal;
+      reject(i, equal ? "ambiguous: another model or pose explains as much"
+                      : "a better answer stands in its place");
+    }
+    if (!ambiguous) continue;
+    reject(winner, "ambiguous: another model or pose explains as much");
+    active_.erase(std::find(active_.begin(), active_.end(), winner));
+  }
+}
+
+}  // namespace trihedron

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "recognition/candidates.hpp"
+#include "recognition/solid_overlap.hpp"
+
+namespace trihedron {
+
+struct SceneSearchOptions {
+  int ranked = 120;   ///< hypotheses kept in a ranking
+  int batch = 4;      ///< refined before the scene is looked at anew
+  int patience = 2;   ///< batches without a new object before the search ends
+  bool table = true;  ///< nothing lies below the world's z = 0
+};
+
+/// Looks for the set of candidates that explains the scene together. Greedy: the best batch of
+/// hypotheses is refined and tried, all objects so far are judged with each other in front, the
+/// worst one that fails goes; contours explained by the objects leave the next ranking.
+class SceneSearch {
+ public:
+  SceneSearch(const SceneInput& input, const SceneSearchOptions& options);
+
+  void run();
+
+  const std::vector<Candidate>& candidates() const { return candidates_; }
+  /// The explanation: indices into candidates(), most evidence first.
+  const std::vector<int>& active() const { return active_; }
+  /// The best other candidate for an active one's place, -1: none.
+  int runner_up(int active) const;
+  /// The active objects as placed, candidate i among them, and its position there.
+  std::vector<PlacedModel> context_of(int i, int& position) const;
+
+ private:
+  PlacedModel placed(int i) const;
+  const InnerPoints& inner(int model);
+  bool in_conflict(int a, int b);
+  bool known(const Candidate& candidate) const;
+  void reject(int i, const std::string& reason);
+  bool below_table(const Candidate& candidate, std::string& reason) const;
+
+  std::vector<RankedHypothesis> rank_rest();
+  bool try_batch();
+  void add(int hypothesis);
+  void fill();
+  void judge(int i);
+  bool remove_worst();
+  void settle();
+  void find_rivals(int winner);
+  bool is_rival(int i, int winner);
+  void settle_rivals();
+
+  const SceneInput& input_;
+  SceneSearchOptions options_;
+  std::vector<Candidate> candidates_;
+  std::vector<char> dead_;
+  std::vector<int> active_;
+  std::vector<char> tried_;                    ///< hypotheses
+  std::map<int, std::vector<int>> judged_in_;  ///< the neighbours an object was last judged with
+  std::map<int, int> runner_up_;
+  std::map<int, InnerPoints> inner_;
+};
+
+}  // namespace trihedron
