@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "golden/set_pixels.hpp"
+
 namespace trihedron::golden {
 
 int direction_sector(int gx, int gy) {
@@ -24,16 +26,24 @@ int magnitude_class(int magnitude, int floor) {
   return (magnitude >= floor) + (2 * magnitude >= 3 * floor) + (2 * magnitude >= 5 * floor);
 }
 
+void direction_row(const GradientImage& gradient, const Plane<std::uint8_t>& second_contour,
+                   int floor, int y, Plane<Direction>& out) {
+  clear_row(out, y);
+  const std::int16_t* gx = gradient.gx.row(y);
+  const std::int16_t* gy = gradient.gy.row(y);
+  const std::uint16_t* magnitude = gradient.magnitude.row(y);
+  Direction* direction = out.row(y);
+  for_each_set(second_contour.row(y), 0, out.width, [&](int x) {
+    const int strength = magnitude_class(magnitude[x], floor);
+    if (strength == 0) return;
+    direction[x] = static_cast<Direction>(strength << 6 | direction_sector(gx[x], gy[x]));
+  });
+}
+
 Plane<Direction> directions(const GradientImage& gradient,
                             const Plane<std::uint8_t>& second_contour, int floor) {
   Plane<Direction> out(second_contour.width, second_contour.height);
-  for (std::size_t i = 0; i < out.samples.size(); ++i) {
-    if (second_contour.samples[i] == 0) continue;
-    const int strength = magnitude_class(gradient.magnitude.samples[i], floor);
-    if (strength == 0) continue;
-    const int sector = direction_sector(gradient.gx.samples[i], gradient.gy.samples[i]);
-    out.samples[i] = static_cast<Direction>(strength << 6 | sector);
-  }
+  for (int y = 0; y < out.height; ++y) direction_row(gradient, second_contour, floor, y, out);
   return out;
 }
 

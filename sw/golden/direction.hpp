@@ -24,7 +24,11 @@ int direction_sector(int gx, int gy);
 /// Class of a contour pixel's magnitude: 0 below `floor`, 1 below 3/2 of it, 2 below 5/2, 3 above.
 int magnitude_class(int magnitude, int floor);
 
-/// The directions of the second contour's pixels; 0 elsewhere.
+/// Row y of the directions of the second contour's pixels; 0 elsewhere.
+void direction_row(const GradientImage& gradient, const Plane<std::uint8_t>& second_contour,
+                   int floor, int y, Plane<Direction>& out);
+
+/// All rows.
 Plane<Direction> directions(const GradientImage& gradient,
                             const Plane<std::uint8_t>& second_contour, int floor);
 

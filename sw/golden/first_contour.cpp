@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "golden/vector_clones.hpp"
 #include "golden/window_block.hpp"
 
 namespace trihedron::golden {
@@ -11,25 +12,30 @@ namespace {
 /// One flag a pixel, 0 or 1, as wide as the values it comes from.
 using Flags = std::int16_t[kBlockPx];
 
+/// The values of five neighbours side by side that are not above the centre: their sum and count.
+/// One pixel of what outweighs() does for a row of windows.
+inline void add_row(const std::int16_t* n, std::int16_t centre, std::int16_t& sum,
+                    std::int16_t& count) {
+  const auto mask = [centre](std::int16_t value) {
+    return static_cast<std::int16_t>(-(value <= centre));
+  };
+  const std::int16_t a = mask(n[0]), b = mask(n[1]), c = mask(n[2]), d = mask(n[3]), e = mask(n[4]);
+  sum = static_cast<std::int16_t>(sum + (n[0] & a) + (n[1] & b) + (n[2] & c) + (n[3] & d) +
+                                  (n[4] & e));
+  count = static_cast<std::int16_t>(count - a - b - c - d - e);
+}
+
 /// Whether the centre outweighs the neighbours that are not above it. The centre adds itself to
 /// the sum and to the count: both are taken out again.
 void outweighs(const WindowBlock& window, int mean_limit, Flags& flags) {
-  std::int16_t sum[kBlockPx] = {};
-  std::int16_t count[kBlockPx] = {};
-  const std::int16_t* centre = window.rows[kWindowRadius] + kWindowRadius;
-  for (const auto& row : window.rows) {
-    for (int i = 0; i < kMinFrameSide; ++i) {
-      for (int x = 0; x < kBlockPx; ++x) {
-        const std::int16_t n = row[x + i];
-        const auto mask = static_cast<std::int16_t>(-(n <= centre[x]));
-        sum[x] = static_cast<std::int16_t>(sum[x] + (n & mask));
-        count[x] = static_cast<std::int16_t>(count[x] - mask);
-      }
-    }
-  }
+  const auto& [r0, r1, r2, r3, r4] = window.rows;
   for (int x = 0; x < kBlockPx; ++x) {
-    const int others = sum[x] - centre[x];
-    flags[x] = 32 * others < mean_limit * centre[x] * (count[x] - 1) ? 1 : 0;
+    const std::int16_t centre = r2[x + kWindowRadius];
+    std::int16_t sum = 0;
+    std::int16_t count = 0;
+    for (const std::int16_t* row : {r0, r1, r2, r3, r4}) add_row(row + x, centre, sum, count);
+    const int others = sum - centre;
+    flags[x] = 32 * others < mean_limit * centre * (count - 1) ? 1 : 0;
   }
 }
 
@@ -60,30 +66,35 @@ void path_passes(const WindowBlock& window, Flags& flags) {
 
 }  // namespace
 
-Plane<std::uint8_t> first_contour(const Plane<std::uint16_t>& magnitude,
-                                  const FirstContourConfig& config) {
-  Plane<std::uint8_t> contour(magnitude.width, magnitude.height);
+TRIHEDRON_VECTOR_CLONES
+void first_contour_row(const Plane<std::uint16_t>& magnitude, const FirstContourConfig& config,
+                       int y, Plane<std::uint8_t>& out) {
+  if (!clear_row(out, y)) return;
   WindowBlock window;
   Flags heavy;
   Flags path;
-  for (int y = kWindowRadius; y < magnitude.height - kWindowRadius; ++y) {
-    const auto rows = window_rows(magnitude, y);
-    const std::uint16_t* centre = magnitude.row(y);
-    std::uint8_t* out = contour.row(y);
-    for (int x = kWindowRadius; x < magnitude.width - kWindowRadius; x += kBlockPx) {
-      const int n = std::min(kBlockPx, magnitude.width - kWindowRadius - x);
-      int highest = 0;
-      for (int i = 0; i < n; ++i) highest = std::max<int>(highest, centre[x + i]);
-      if (highest < config.noise_floor) continue;
-      window.load(rows, x, magnitude.width);
-      outweighs(window, config.mean_limit, heavy);
-      path_passes(window, path);
-      for (int i = 0; i < n; ++i) {
-        const bool above_noise = centre[x + i] >= config.noise_floor;
-        out[x + i] = static_cast<std::uint8_t>(above_noise & heavy[i] & path[i]);
-      }
+  const auto rows = window_rows(magnitude, y);
+  const std::uint16_t* centre = magnitude.row(y);
+  std::uint8_t* first = out.row(y);
+  for (int x = kWindowRadius; x < magnitude.width - kWindowRadius; x += kBlockPx) {
+    const int n = std::min(kBlockPx, magnitude.width - kWindowRadius - x);
+    int highest = 0;
+    for (int i = 0; i < n; ++i) highest = std::max<int>(highest, centre[x + i]);
+    if (highest < config.noise_floor) continue;
+    window.load(rows, x, magnitude.width);
+    outweighs(window, config.mean_limit, heavy);
+    path_passes(window, path);
+    for (int i = 0; i < n; ++i) {
+      const bool above_noise = centre[x + i] >= config.noise_floor;
+      first[x + i] = static_cast<std::uint8_t>(above_noise & heavy[i] & path[i]);
     }
   }
+}
+
+Plane<std::uint8_t> first_contour(const Plane<std::uint16_t>& magnitude,
+                                  const FirstContourConfig& config) {
+  Plane<std::uint8_t> contour(magnitude.width, magnitude.height);
+  for (int y = 0; y < contour.height; ++y) first_contour_row(magnitude, config, y, contour);
   return contour;
 }
 

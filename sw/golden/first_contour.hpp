@@ -19,8 +19,8 @@ struct FirstContourConfig {
   int mean_limit = 21;
 };
 
-/// Stage 2: 1 where a contour may run, 0 elsewhere. With c the magnitude of the centre and n those
-/// of its window's 24 other pixels, a pixel is first contour when
+/// Row y of stage 2: 1 where a contour may run, 0 elsewhere. With c the magnitude of the centre and
+/// n those of its window's 24 other pixels, a pixel is first contour when
 ///
 ///   c >= noise_floor                                          it stands above the noise,
 ///   32 sum{n <= c} n < mean_limit * c * count{n <= c}         it outweighs what is not above it,
@@ -29,6 +29,10 @@ struct FirstContourConfig {
 /// for two of the 8 inner neighbours p and q that do not touch each other: the 16 ways in which a
 /// path of touching pixels can pass the centre of 3x3 pixels. May be several pixels wide. A pixel
 /// whose 5x5 window leaves the image is 0.
+void first_contour_row(const Plane<std::uint16_t>& magnitude, const FirstContourConfig& config,
+                       int y, Plane<std::uint8_t>& out);
+
+/// All rows.
 Plane<std::uint8_t> first_contour(const Plane<std::uint16_t>& magnitude,
                                   const FirstContourConfig& config);
 

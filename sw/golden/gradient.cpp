@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
+#include "golden/vector_clones.hpp"
 #include "golden/window_block.hpp"
 
 namespace trihedron::golden {
@@ -13,10 +13,7 @@ namespace {
 /// Fraction bits of the sums |H| + |V| + 4|D| + 4|E| and H + 8 (D - E) below 1/kGradientScale.
 constexpr int kShift = 10 - kGradientFractionBits;
 constexpr int kHalf = 1 << (kShift - 1);
-static_assert(kGradientFractionBits >= 0 && kShift >= 1, "0 to 9 fraction bits");
-
-/// Nearest integer to sum / 2^kShift, halves away from zero: mirrored images have mirrored slopes.
-inline int round_shift(int sum) { return (sum + kHalf + (sum >> 31)) >> kShift; }
+static_assert(kGradientFractionBits >= 0 && kShift >= 4, "0 to 6 fraction bits");
 
 /// The four masks' sums of a block; each fits 16 bits (docs/stages/gradient.md).
 struct Derivatives {
@@ -58,45 +55,71 @@ struct GradientBlock {
   std::uint16_t magnitude[kBlockPx];
 };
 
+/// (axis + 8 diagonals) / 2^kShift to nearest, halves away from zero: mirrored images have mirrored
+/// slopes. The 3 bits that only `axis` has are cut off before the sum, which so fits 16 bits; the
+/// floor of a floor is the floor of the whole.
+inline std::int16_t slope_of(std::int16_t axis, std::int16_t diagonals) {
+  const auto sign = static_cast<std::int16_t>(((axis >> 3) + diagonals) >> 15);
+  const auto rounded = static_cast<std::int16_t>(axis + kHalf + sign);
+  const auto sum = static_cast<std::int16_t>((rounded >> 3) + diagonals);
+  return static_cast<std::int16_t>(sum >> (kShift - 3));
+}
+
+inline std::uint16_t size_of(std::int16_t value) {
+  return static_cast<std::uint16_t>(value < 0 ? -value : value);
+}
+
+/// (|h| + |v| + 4 diagonals) / 2^kShift to nearest, in 16 bits as above.
+inline std::uint16_t magnitude_of(std::uint16_t axes, std::uint16_t diagonals) {
+  const auto rounded = static_cast<std::uint16_t>(axes + kHalf);
+  const auto sum = static_cast<std::uint16_t>((rounded >> 2) + diagonals);
+  const auto mean = static_cast<std::uint16_t>(sum >> (kShift - 2));
+  return mean < kMaxMagnitude ? mean : static_cast<std::uint16_t>(kMaxMagnitude);
+}
+
 void combine(const Derivatives& in, GradientBlock& out) {
   for (int x = 0; x < kBlockPx; ++x) {
-    const int h = in.h[x];
-    const int v = in.v[x];
-    const int d = in.d[x];
-    const int e = in.e[x];
-    out.gx[x] = static_cast<std::int16_t>(round_shift(h + 8 * (d - e)));
-    out.gy[x] = static_cast<std::int16_t>(round_shift(v + 8 * (d + e)));
-    const int sum = std::abs(h) + std::abs(v) + 4 * (std::abs(d) + std::abs(e));
-    out.magnitude[x] = static_cast<std::uint16_t>(std::min((sum + kHalf) >> kShift, kMaxMagnitude));
+    out.gx[x] = slope_of(in.h[x], static_cast<std::int16_t>(in.d[x] - in.e[x]));
+    out.gy[x] = slope_of(in.v[x], static_cast<std::int16_t>(in.d[x] + in.e[x]));
+    out.magnitude[x] =
+        magnitude_of(static_cast<std::uint16_t>(size_of(in.h[x]) + size_of(in.v[x])),
+                     static_cast<std::uint16_t>(size_of(in.d[x]) + size_of(in.e[x])));
   }
 }
 
 }  // namespace
 
-GradientImage gradient(const std::uint8_t* grey, int width, int height, int stride) {
-  GradientImage image{Plane<std::int16_t>(width, height), Plane<std::int16_t>(width, height),
-                      Plane<std::uint16_t>(width, height)};
+TRIHEDRON_VECTOR_CLONES
+void gradient_row(const std::uint8_t* grey, int stride, int y, GradientImage& out) {
+  clear_row(out.gx, y);
+  clear_row(out.gy, y);
+  if (!clear_row(out.magnitude, y)) return;
+  std::array<const std::uint8_t*, kMinFrameSide> rows{};
+  for (int j = 0; j < kMinFrameSide; ++j) {
+    rows[static_cast<std::size_t>(j)] =
+        grey + static_cast<std::ptrdiff_t>(y - kWindowRadius + j) * stride;
+  }
+  const int width = out.magnitude.width;
   WindowBlock window;
   Derivatives derivatives;
   GradientBlock block;
-  for (int y = kWindowRadius; y < height - kWindowRadius; ++y) {
-    std::array<const std::uint8_t*, kMinFrameSide> rows{};
-    for (int j = 0; j < kMinFrameSide; ++j) {
-      rows[static_cast<std::size_t>(j)] =
-          grey + static_cast<std::ptrdiff_t>(y - kWindowRadius + j) * stride;
-    }
-    for (int x = kWindowRadius; x < width - kWindowRadius; x += kBlockPx) {
-      window.load(rows, x, width);
-      axes(window, derivatives);
-      diagonal<1>(window, derivatives.d);
-      diagonal<-1>(window, derivatives.e);
-      combine(derivatives, block);
-      const int n = std::min(kBlockPx, width - kWindowRadius - x);
-      std::copy_n(block.gx, n, image.gx.row(y) + x);
-      std::copy_n(block.gy, n, image.gy.row(y) + x);
-      std::copy_n(block.magnitude, n, image.magnitude.row(y) + x);
-    }
+  for (int x = kWindowRadius; x < width - kWindowRadius; x += kBlockPx) {
+    window.load(rows, x, width);
+    axes(window, derivatives);
+    diagonal<1>(window, derivatives.d);
+    diagonal<-1>(window, derivatives.e);
+    combine(derivatives, block);
+    const int n = std::min(kBlockPx, width - kWindowRadius - x);
+    store_block(block.gx, n, out.gx.row(y) + x);
+    store_block(block.gy, n, out.gy.row(y) + x);
+    store_block(block.magnitude, n, out.magnitude.row(y) + x);
   }
+}
+
+GradientImage gradient(const std::uint8_t* grey, int width, int height, int stride) {
+  GradientImage image{Plane<std::int16_t>(width, height), Plane<std::int16_t>(width, height),
+                      Plane<std::uint16_t>(width, height)};
+  for (int y = 0; y < height; ++y) gradient_row(grey, stride, y, image);
   return image;
 }
 

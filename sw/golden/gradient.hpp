@@ -38,6 +38,9 @@ constexpr int kMaxMagnitude = (1 << kMagnitudeBits) - 1;
 /// Width of gx and gy with sign, bits.
 constexpr int kSlopeBits = 8 + kGradientFractionBits;
 
+/// Row y of the gradient of an 8-bit grey image of the frame of `out`, rows `stride` bytes apart.
+void gradient_row(const std::uint8_t* grey, int stride, int y, GradientImage& out);
+
 /// The gradient of an 8-bit grey image of `width` x `height` px, rows `stride` bytes apart. A
 /// pixel whose window leaves the image has gradient 0.
 GradientImage gradient(const std::uint8_t* grey, int width, int height, int stride);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "golden/set_pixels.hpp"
+
 namespace trihedron::golden {
 namespace {
 
@@ -38,23 +40,26 @@ inline bool highest_across(const std::array<const std::uint16_t*, 3>& rows, int 
 
 }  // namespace
 
+void ridge_row(const GradientImage& gradient, const Plane<std::uint8_t>& first_contour,
+               const SecondContourConfig& config, int y, Plane<std::uint8_t>& out) {
+  if (!clear_row(out, y)) return;
+  const Plane<std::uint16_t>& magnitude = gradient.magnitude;
+  const std::array<const std::uint16_t*, 3> rows{magnitude.row(y - 1), magnitude.row(y),
+                                                 magnitude.row(y + 1)};
+  const std::int16_t* gx = gradient.gx.row(y);
+  const std::int16_t* gy = gradient.gy.row(y);
+  std::uint8_t* ridge_row = out.row(y);
+  const auto visit = [&](int x) {
+    ridge_row[x] = highest_across(rows, x, gx[x], gy[x]) &&
+                   support_of(magnitude, first_contour, x, y) >= config.support;
+  };
+  for_each_set(first_contour.row(y), kWindowRadius, out.width - kWindowRadius, visit);
+}
+
 Plane<std::uint8_t> ridge(const GradientImage& gradient, const Plane<std::uint8_t>& first_contour,
                           const SecondContourConfig& config) {
-  const Plane<std::uint16_t>& magnitude = gradient.magnitude;
-  Plane<std::uint8_t> out(magnitude.width, magnitude.height);
-  for (int y = kWindowRadius; y < magnitude.height - kWindowRadius; ++y) {
-    const std::array<const std::uint16_t*, 3> rows{magnitude.row(y - 1), magnitude.row(y),
-                                                   magnitude.row(y + 1)};
-    const std::uint8_t* first = first_contour.row(y);
-    const std::int16_t* gx = gradient.gx.row(y);
-    const std::int16_t* gy = gradient.gy.row(y);
-    std::uint8_t* ridge_row = out.row(y);
-    for (int x = kWindowRadius; x < magnitude.width - kWindowRadius; ++x) {
-      if (first[x] == 0) continue;
-      ridge_row[x] = highest_across(rows, x, gx[x], gy[x]) &&
-                     support_of(magnitude, first_contour, x, y) >= config.support;
-    }
-  }
+  Plane<std::uint8_t> out(first_contour.width, first_contour.height);
+  for (int y = 0; y < out.height; ++y) ridge_row(gradient, first_contour, config, y, out);
   return out;
 }
 

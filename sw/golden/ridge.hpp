@@ -16,7 +16,8 @@ struct SecondContourConfig {
   int support = 144;
 };
 
-/// Stage 3, first window: 1 where a first-contour pixel lies on the ridge of the magnitude m.
+/// Row y of stage 3, first window: 1 where a first-contour pixel lies on the ridge of the magnitude
+/// m.
 ///
 ///   sum{5x5, first contour} m >= support                      enough contour around it,
 ///   m(p - s) < m(p) and m(p + s) <= m(p)                      highest across the contour,
@@ -25,6 +26,10 @@ struct SecondContourConfig {
 /// and gy have one sign (zero counts as positive) and (1, -1) where they differ. Of two equal
 /// magnitudes side by side the first in raster order along s is the ridge. A pixel whose 5x5
 /// window leaves the image is 0.
+void ridge_row(const GradientImage& gradient, const Plane<std::uint8_t>& first_contour,
+               const SecondContourConfig& config, int y, Plane<std::uint8_t>& out);
+
+/// All rows.
 Plane<std::uint8_t> ridge(const GradientImage& gradient, const Plane<std::uint8_t>& first_contour,
                           const SecondContourConfig& config);
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "golden/second_contour.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "golden/set_pixels.hpp"
+#include "golden/window_block.hpp"
 
 namespace trihedron::golden {
 namespace {
@@ -48,24 +52,44 @@ bool at_end(const Plane<std::uint8_t>& ridge, int x, int y, unsigned bits) {
   return false;
 }
 
+/// Which of the n pixels from x on have a link.
+void linked(const Plane<std::uint8_t>& ridge, int x, int y, int n, std::uint8_t* out) {
+  const std::uint8_t* above = ridge.row(y - 1) + x;
+  const std::uint8_t* at = ridge.row(y) + x;
+  const std::uint8_t* below = ridge.row(y + 1) + x;
+  for (int i = 0; i < n; ++i) {
+    out[i] = above[i - 1] | above[i] | above[i + 1] | at[i - 1] | at[i + 1] | below[i - 1] |
+             below[i] | below[i + 1];
+  }
+}
+
 }  // namespace
+
+void link_row(const Plane<std::uint8_t>& ridge, const Plane<std::uint16_t>& magnitude,
+              int noise_floor, int y, Plane<std::uint8_t>& out) {
+  if (!clear_row(out, y)) return;
+  const std::uint8_t* at = ridge.row(y);
+  const std::uint16_t* level = magnitude.row(y);
+  std::uint8_t* contour = out.row(y);
+  std::uint8_t has_link[kBlockPx];
+  for (int x = kWindowRadius; x < out.width - kWindowRadius; x += kBlockPx) {
+    const int n = std::min(kBlockPx, out.width - kWindowRadius - x);
+    linked(ridge, x, y, n, has_link);
+    for_each_set(has_link, 0, n, [&](int i) {
+      if (at[x + i] == 0) {
+        if (level[x + i] < noise_floor) return;
+        const unsigned bits = links(ridge, x + i, y);
+        if (!apart(bits) || !at_end(ridge, x + i, y, bits)) return;
+      }
+      contour[x + i] = 1;
+    });
+  }
+}
 
 Plane<std::uint8_t> link(const Plane<std::uint8_t>& ridge, const Plane<std::uint16_t>& magnitude,
                          int noise_floor) {
   Plane<std::uint8_t> contour(ridge.width, ridge.height);
-  for (int y = kWindowRadius; y < ridge.height - kWindowRadius; ++y) {
-    const std::uint8_t* above = ridge.row(y - 1);
-    const std::uint8_t* at = ridge.row(y);
-    const std::uint8_t* below = ridge.row(y + 1);
-    for (int x = kWindowRadius; x < ridge.width - kWindowRadius; ++x) {
-      const bool linked = (above[x - 1] | above[x] | above[x + 1] | at[x - 1] | at[x + 1] |
-                           below[x - 1] | below[x] | below[x + 1]) != 0;
-      if (!linked) continue;
-      const unsigned bits = links(ridge, x, y);
-      contour.at(x, y) =
-          at[x] || (magnitude.at(x, y) >= noise_floor && apart(bits) && at_end(ridge, x, y, bits));
-    }
-  }
+  for (int y = 0; y < contour.height; ++y) link_row(ridge, magnitude, noise_floor, y, contour);
   return contour;
 }
 

@@ -9,8 +9,8 @@
 
 namespace trihedron::golden {
 
-/// Stage 3, second window: the second contour from the ridge, seen through a 5x5 window of ridge
-/// bits. The links of a pixel are its ridge neighbours among the 8.
+/// Row y of stage 3, second window: the second contour from the ridge, seen through a 5x5 window of
+/// ridge bits. The links of a pixel are its ridge neighbours among the 8.
 ///
 ///   A ridge pixel stays when it has a link.
 ///   A pixel off the ridge, with magnitude >= noise_floor, closes a gap of one pixel when its
@@ -19,6 +19,10 @@ namespace trihedron::golden {
 ///
 /// So pieces of contour are joined, never cut. A closed gap may be no first contour.
 /// A pixel whose 5x5 window leaves the image is 0.
+void link_row(const Plane<std::uint8_t>& ridge, const Plane<std::uint16_t>& magnitude,
+              int noise_floor, int y, Plane<std::uint8_t>& out);
+
+/// All rows.
 Plane<std::uint8_t> link(const Plane<std::uint8_t>& ridge, const Plane<std::uint16_t>& magnitude,
                          int noise_floor);
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "golden/set_pixels.hpp"
+
 namespace trihedron::golden {
 namespace {
 
@@ -131,31 +133,38 @@ VertexValue vertex_value(const Plane<Direction>& directions, int x, int y,
   return value;
 }
 
+void strength_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
+                  Plane<std::uint8_t>& out) {
+  if (!clear_row(out, y)) return;
+  std::uint8_t* strength = out.row(y);
+  for_each_set(directions.row(y), kWindowRadius, out.width - kWindowRadius,
+               [&](int x) { strength[x] = vertex_value(directions, x, y, config).strength; });
+}
+
+void append_vertices(const Plane<Direction>& directions, const Plane<std::uint8_t>& strength,
+                     const VertexConfig& config, int y, std::vector<Vertex>& out) {
+  if (y < kWindowRadius || y >= strength.height - kWindowRadius) return;
+  for_each_set(strength.row(y), kWindowRadius, strength.width - kWindowRadius, [&](int x) {
+    if (!strongest(strength, x, y)) return;
+    const VertexValue value = vertex_value(directions, x, y, config);
+    Vertex vertex;
+    vertex.x = static_cast<std::uint16_t>(x);
+    vertex.y = static_cast<std::uint16_t>(y);
+    vertex.branches = value.branches;
+    vertex.pattern = value.pattern;
+    vertex.strength = value.strength;
+    out.push_back(vertex);
+  });
+}
+
 std::vector<Vertex> vertices(const GradientImage& gradient,
                              const Plane<std::uint8_t>& second_contour,
                              const VertexConfig& config) {
-  const int width = second_contour.width;
-  const int height = second_contour.height;
   const Plane<Direction> direction = directions(gradient, second_contour, config.branch_floor);
-  Plane<std::uint8_t> strength(width, height);
+  Plane<std::uint8_t> strength(direction.width, direction.height);
+  for (int y = 0; y < strength.height; ++y) strength_row(direction, config, y, strength);
   std::vector<Vertex> found;
-  for (int y = kWindowRadius; y < height - kWindowRadius; ++y) {
-    for (int x = kWindowRadius; x < width - kWindowRadius; ++x) {
-      if (direction.at(x, y) == 0) continue;
-      const VertexValue value = vertex_value(direction, x, y, config);
-      if (value.strength == 0) continue;
-      strength.at(x, y) = value.strength;
-      Vertex vertex;
-      vertex.x = static_cast<std::uint16_t>(x);
-      vertex.y = static_cast<std::uint16_t>(y);
-      vertex.branches = value.branches;
-      vertex.pattern = value.pattern;
-      vertex.strength = value.strength;
-      found.push_back(vertex);
-    }
-  }
-  const auto weaker = [&](const Vertex& v) { return !strongest(strength, v.x, v.y); };
-  found.erase(std::remove_if(found.begin(), found.end(), weaker), found.end());
+  for (int y = 0; y < strength.height; ++y) append_vertices(direction, strength, config, y, found);
   return found;
 }
 

@@ -43,8 +43,17 @@ struct VertexValue {
 VertexValue vertex_value(const Plane<Direction>& directions, int x, int y,
                          const VertexConfig& config);
 
-/// Stage 4: where the vertex value is the largest of its 5x5 window, the first in raster order of
-/// equal ones; in raster order. A pixel whose 5x5 window leaves the image is no vertex.
+/// Row y of the vertex values' strengths.
+void strength_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
+                  Plane<std::uint8_t>& out);
+
+/// Appends the vertices of row y: where the vertex value is the largest of its 5x5 window, the
+/// first in raster order of equal ones; from left to right. A pixel whose 5x5 window leaves the
+/// image is no vertex.
+void append_vertices(const Plane<Direction>& directions, const Plane<std::uint8_t>& strength,
+                     const VertexConfig& config, int y, std::vector<Vertex>& out);
+
+/// Stage 4, all rows.
 std::vector<Vertex> vertices(const GradientImage& gradient,
                              const Plane<std::uint8_t>& second_contour, const VertexConfig& config);
 

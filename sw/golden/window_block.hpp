@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "golden/plane.hpp"
 
@@ -34,6 +36,16 @@ struct WindowBlock {
     }
   }
 };
+
+/// Copies the first n values of a block; a whole block has a fixed size, hence no loop.
+template <typename T>
+void store_block(const T* block, int n, T* out) {
+  if (n == kBlockPx) {
+    std::memcpy(static_cast<void*>(out), block, kBlockPx * sizeof(T));
+  } else {
+    std::copy_n(block, n, out);
+  }
+}
 
 /// The five rows around row y.
 template <typename T>

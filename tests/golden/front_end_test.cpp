@@ -28,7 +28,15 @@ TEST_CASE("the features are the stages' outputs put together") {
       REQUIRE(beat.flags == (second.at(x, y) * kContour | first.at(x, y) * kFirstContour));
     }
   }
-  CHECK(f.vertices.size() == vertices(g, second, config.vertices).size());
+  const std::vector<Vertex> corners = vertices(g, second, config.vertices);
+  REQUIRE(f.vertices.size() == corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    REQUIRE(f.vertices[i].x == corners[i].x);
+    REQUIRE(f.vertices[i].y == corners[i].y);
+    REQUIRE(f.vertices[i].branches == corners[i].branches);
+    REQUIRE(f.vertices[i].pattern == corners[i].pattern);
+    REQUIRE(f.vertices[i].strength == corners[i].strength);
+  }
 }
 
 TEST_CASE("the smallest legal frame is one window, smaller ones are refused") {
