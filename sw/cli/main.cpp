@@ -20,6 +20,8 @@ constexpr const char* kExamples =
     "  trihedron recognize testvectors/scenes/studio-two/000034 --models testvectors/models10\n"
     "  trihedron evaluate testvectors/scenes --models testvectors/models10 --csv results.csv\n"
     "  trihedron models testvectors/models10\n"
+    "  trihedron simulate testvectors/scenes/studio-two/000034 --check\n"
+    "  trihedron verify --frames 1000 --jobs 2\n"
     "\n"
     "Exit codes: 0 done, 1 found nothing or a check failed, 2 bad input or usage.\n"
     "`trihedron COMMAND --help` explains a command.";
@@ -63,6 +65,8 @@ int main(int argc, char** argv) {
   add_evaluate(program, exit_code);
   add_models(program, exit_code);
   add_render(program, exit_code);
+  add_simulate(program, exit_code);
+  add_verify(program, exit_code);
   try {
     check_command(program, argc, argv);
     program.parse(argc, argv);

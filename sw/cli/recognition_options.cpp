@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/recognition_options.hpp"
 
+#include "cli/rtl_front_end.hpp"
 #include "golden/error.hpp"
 #include "io/library.hpp"
 
 namespace trihedron::cli {
-namespace {
-
-/// The front ends of this build, the default first. All give bit-identical features.
-std::vector<std::string> front_ends() { return {"golden"}; }
-
-}  // namespace
 
 void RecognitionArguments::add_to(CLI::App& command) {
-  front_end = front_ends().front();
+  front_end = default_front_end();
   command.add_option("--models", models, "Folder of meshes (PLY, OBJ, STL, OFF; mm)")
       ->type_name("DIR");
   command
       .add_option("--frontend", front_end,
                   "Features from the simulated RTL or from the golden model, bit for bit the same")
-      ->check(CLI::IsMember(front_ends()))
+      ->check(CLI::IsMember({"rtl", "golden"}))
       ->capture_default_str();
   command.add_option("--method", method, "The product, or the source method as published")
       ->check(CLI::IsMember({"full", "paper"}))
@@ -32,7 +27,9 @@ RecognitionOptions RecognitionArguments::options() const {
   return out;
 }
 
-FrontEnd RecognitionArguments::make_front_end() const { return golden_front_end(); }
+FrontEnd RecognitionArguments::make_front_end() const {
+  return front_end == "rtl" ? rtl_front_end() : golden_front_end();
+}
 
 std::vector<Model> RecognitionArguments::library(const std::filesystem::path& input) const {
   if (!models.empty()) return read_library(models);

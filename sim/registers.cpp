@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/registers.hpp"
+
+#include <string>
+
+#include "golden/registers.hpp"
+
+namespace trihedron::sim {
+
+namespace {
+
+std::uint32_t value(int number) { return static_cast<std::uint32_t>(number); }
+
+}  // namespace
+
+std::vector<RegisterValue> threshold_settings(const ThresholdChange& change) {
+  const golden::FrontEndConfig& thresholds = change.thresholds;
+  return {
+      {"VERTEX_LIMIT", registers::kVertexLimit, value(change.vertex_limit)},
+      {"NOISE_FLOOR", registers::kNoiseFloor, value(thresholds.first_contour.noise_floor)},
+      {"MEAN_LIMIT", registers::kMeanLimit, value(thresholds.first_contour.mean_limit)},
+      {"BRANCH_FLOOR", registers::kBranchFloor, value(thresholds.vertices.branch_floor)},
+      {"MIN_TURN", registers::kMinTurn, value(thresholds.vertices.min_turn)},
+  };
+}
+
+std::vector<RegisterValue> run_settings(const RunOptions& options) {
+  std::vector<RegisterValue> settings =
+      threshold_settings({options.thresholds, options.vertex_limit});
+  settings.push_back({"FRAME_HEIGHT", registers::kFrameHeight, value(options.frame_height)});
+  settings.push_back({"FLUSH_TIMEOUT", registers::kFlushTimeout, value(options.flush_timeout)});
+  return settings;
+}
+
+std::vector<RegisterValue> final_values(const RunOptions& options, const Report& report) {
+  std::vector<RegisterValue> values =
+      options.changes.empty() ? run_settings(options) : threshold_settings(options.changes.back());
+  values.push_back({"ID", registers::kId, registers::kIdId.reset});
+  for (std::size_t view = 0; view < kViews; ++view) {
+    const ViewStatistics& count = report.views[view];
+    const std::string of_view = " of view " + std::to_string(view);
+    const auto add = [&](const char* name, std::uint32_t address, std::uint64_t value) {
+      values.push_back({name + of_view,
+                        address + registers::kViewStride * static_cast<std::uint32_t>(view),
+                        static_cast<std::uint32_t>(value)});
+    };
+    add("STATUS", registers::kStatus, count.stream_error_kinds | (count.vertices_lost != 0) << 8);
+    add("FRAMES", registers::kFrames, count.frames);
+    add("VERTICES", registers::kVertices, count.vertices);
+    add("LOST", registers::kLost, count.vertices_lost);
+    add("ERRORS", registers::kErrors, count.stream_errors & 0xffff);
+    add("LAST_FRAME", registers::kLastFrame, count.last_vertices | count.last_vertices_lost << 16);
+  }
+  return values;
+}
+
+}  // namespace trihedron::sim

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <utility>
+
+#include "sim/random.hpp"
+#include "sim/wire_line.hpp"
+
+namespace trihedron::sim {
+
+/// AXI4-Stream video source of one view at the pins, one call of present() and of accept() a
+/// clock. Plays queued lines with random idles; an offered pixel stays until it is accepted.
+class StreamDriver {
+ public:
+  StreamDriver(const StallProfile& idles, std::uint64_t seed) : idle_(idles, seed) {}
+
+  void queue(WireLinePtr line) { lines_.push_back(std::move(line)); }
+  void close() { closed_ = true; }
+
+  /// True when it could offer nothing although more lines are to come: the host must act first.
+  bool starving() const { return lines_.empty() && !closed_; }
+  bool wants_lines() const { return lines_.size() < kQueueLines && !closed_; }
+  /// True when it waits within a line until release().
+  bool holding() const {
+    return !lines_.empty() && lines_.front()->hold && column_ == 1 && !released_;
+  }
+  void release() { released_ = true; }
+  bool finished() const { return lines_.empty() && closed_; }
+
+  /// Decides what stands at the pins at this clock.
+  void present() {
+    if (offering_ || lines_.empty()) return;
+    const WireLine& line = *lines_.front();
+    if (column_ == 0 && gap_ < line.gap_clocks) {
+      ++gap_;
+      return;
+    }
+    if (holding() || idle_.at_this_clock()) return;
+    offering_ = true;
+    data_ = line.pixels[column_];
+    user_ = (column_ == 0 && line.start) || static_cast<int>(column_) == line.stray_start;
+    last_ = line.end && column_ + 1 == line.pixels.size();
+  }
+
+  /// The offered pixel was accepted. Returns true when it was a start of frame.
+  bool accept() {
+    offering_ = false;
+    const WireLine& line = *lines_.front();
+    if (++column_ == line.pixels.size()) {
+      lines_.pop_front();
+      column_ = 0;
+      gap_ = 0;
+      released_ = false;
+    }
+    return user_;
+  }
+
+  bool valid() const { return offering_; }
+  std::uint8_t data() const { return data_; }
+  bool user() const { return user_; }
+  bool last() const { return last_; }
+
+ private:
+  static constexpr std::size_t kQueueLines = 64;
+
+  Stall idle_;
+  std::deque<WireLinePtr> lines_;
+  std::size_t column_ = 0;
+  int gap_ = 0;
+  bool closed_ = false;
+  bool released_ = false;
+  bool offering_ = false;
+  std::uint8_t data_ = 0;
+  bool user_ = false;
+  bool last_ = false;
+};
+
+}  // namespace trihedron::sim

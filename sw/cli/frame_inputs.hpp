@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <opencv2/videoio.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/stimulus.hpp"
+
+namespace trihedron::cli {
+
+/// An 8-bit grey OpenCV image as the simulator takes it.
+sim::GreyImage to_grey_image(const cv::Mat& grey);
+
+/// One image on its way into the front end.
+struct InputFrame {
+  cv::Mat grey;          ///< 8 bit
+  std::string sequence;  ///< scene, folder or file it comes from: the name of its output folder
+  int id = 0;            ///< number of its output files
+  int view = -1;         ///< the view it belongs to; -1: any
+};
+
+/// The frames of images, folders of images, scenes (folders with gray/), folders of scenes, and
+/// videos, one after the other; only one image is in memory.
+class FrameInputs {
+ public:
+  /// With `keep_going`, unreadable images and videos that end early are reported on stderr and
+  /// passed over. Throws Error when an input does not exist or a folder holds no image.
+  FrameInputs(const std::vector<std::string>& inputs, bool keep_going);
+
+  /// The next frame, or nothing after the last. Throws Error on an unreadable image, a video that
+  /// ends early, or a frame outside the sizes that this build of the hardware takes.
+  std::optional<InputFrame> next();
+
+  /// Frames in all, as far as the files say.
+  int count() const { return count_; }
+
+ private:
+  struct Item {
+    std::filesystem::path path;
+    std::string sequence;
+    int id = 0;
+    int view = -1;
+    bool video = false;
+  };
+
+  void add(const std::filesystem::path& input);
+  void add_file(const std::filesystem::path& file);
+  void add_folder(const std::filesystem::path& folder);
+  void add_scenes(const std::filesystem::path& folder);
+  void add_scene(const std::filesystem::path& scene);
+  std::optional<cv::Mat> next_of_video();
+
+  std::deque<Item> items_;
+  cv::VideoCapture video_;
+  int video_frames_ = 0;  ///< read so far
+  int count_ = 0;
+  bool keep_going_ = false;
+};
+
+}  // namespace trihedron::cli

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/run.hpp"
+
+using namespace trihedron;
+using Catch::Matchers::Contains;
+
+TEST_CASE("simulate writes the features of each view and finds them equal to the golden model") {
+  const Scratch scratch;
+  const std::string rtl = (scratch / "rtl").string(), golden = (scratch / "golden").string();
+  const Run run = run_program("simulate " + kStudioScene + " --check --out " + rtl);
+  CHECK(run.exit_code == 0);
+  CHECK(run.err.empty());  // quiet: standard error is no terminal here
+  CHECK_THAT(run.out, Contains("equal to the golden model: 3 frames, 405000 contour beats"));
+  REQUIRE(
+      run_program("simulate " + kStudioScene + " --frontend golden --out " + golden).exit_code ==
+      0);
+  for (const char* file : {"/000034/000000.png", "/000034/000001.csv", "/000034/000002.csv"}) {
+    CHECK(read_whole(rtl + file, "features") == read_whole(golden + file, "features"));
+  }
+  CHECK_THAT(read_whole(rtl + "/000034/000000.csv", "vertices"), Contains("x,y,branches"));
+}
+
+TEST_CASE("simulate --json gives the figures for machines, and a trace can be had") {
+  const Scratch scratch;
+  const std::string image = (scratch / "dot.pgm").string(), trace = (scratch / "t.fst").string();
+  scratch.write("dot.pgm",
+                "P2 6 5 255\n0 0 0 0 0 0 0 0 0 0 0 0 0 0 9 9 0 0 0 0 9 9 0 0 0 0 0 0 0 0\n");
+  const Run run = run_program("simulate " + image + " --json --check --trace " + trace);
+  CHECK(run.exit_code == 0);
+  const auto figures = nlohmann::json::parse(run.out);
+  CHECK(figures.at("frames") == 1);
+  CHECK(figures.at("pixels") == 30);
+  CHECK(figures.at("compared").at("beats") == 30);
+  CHECK(std::filesystem::file_size(trace) > 0);
+}
+
+TEST_CASE("simulate names what is wrong on one line with exit code 2") {
+  const Scratch scratch;
+  scratch.write("photos/a.png", "no picture");
+  const auto message = [&](const std::string& arguments) {
+    const Run run = run_program("simulate " + arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(is_one_line(run.err));
+    return run.err;
+  };
+  CHECK_THAT(message("/no/such/thing"), Contains("/no/such/thing: no such file or folder"));
+  CHECK_THAT(message((scratch / "photos").string()), Contains("a.png"));
+  std::filesystem::create_directory(scratch / "empty");
+  CHECK_THAT(message((scratch / "empty").string()), Contains("no image in it"));
+  scratch.write(
+      "wide.pgm", "P2 1921 5 255\n" + [] {
+        std::string zeros;
+        for (int i = 0; i < 1921 * 5; ++i) zeros += "0 ";
+        return zeros + "\n";
+      }());
+  CHECK_THAT(message((scratch / "wide.pgm").string()), Contains("1921 x 5 px; this build takes"));
+  CHECK_THAT(message(kStudioScene + " --frontend golden --check"), Contains("--frontend rtl"));
+}
+
+TEST_CASE("simulate passes over unreadable frames only if asked to") {
+  const Scratch scratch;
+  scratch.write("mixed/a.png", "no picture");
+  scratch.write("mixed/b.pgm", "P2 5 5 255\n0 0 0 0 0 0 0 0 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0\n");
+  const Run run = run_program("simulate " + (scratch / "mixed").string() + " --keep-going --quiet");
+  CHECK(run.exit_code == 0);
+  CHECK_THAT(run.err, Contains("a.png") && Contains("passed over"));
+  CHECK_THAT(run.out, Contains("1 frames"));
+}
+
+TEST_CASE("verify counts what it compared, the same for any number of jobs") {
+  const Scratch scratch;
+  const std::string junit = (scratch / "report.xml").string();
+  const Run one = run_program("verify --frames 40 --seed 5");
+  const Run two = run_program("verify --frames 40 --seed 5 --jobs 2 --junit " + junit);
+  CHECK(one.exit_code == 0);
+  CHECK(two.exit_code == 0);
+  CHECK_THAT(one.out, Contains("equal to the golden model") && Contains("seeds 5 to"));
+  CHECK(one.out.substr(0, one.out.rfind(',')) == two.out.substr(0, two.out.rfind(',')));
+  const std::string report = read_whole(junit, "report");
+  CHECK_THAT(report, Contains("failures=\"0\"") && Contains("name=\"seed 5\""));
+  CHECK(run_program("verify --frames 0").exit_code == 2);
+}

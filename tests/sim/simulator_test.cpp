@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim/simulator.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "golden/error.hpp"
+#include "sim/test_frames.hpp"
+
+using namespace trihedron;
+using namespace trihedron::sim;
+using Catch::Matchers::Contains;
+
+namespace {
+
+RunOptions checked() {
+  RunOptions options;
+  options.check = true;
+  options.flush_timeout = 500;
+  return options;
+}
+
+Report run_all(const RunOptions& options, const std::vector<SourceFrame>& frames) {
+  return Simulator::instance().run(options, for_all_views(frames), nullptr);
+}
+
+bool equal(const ViewFeatures& a, const ViewFeatures& b) {
+  return a.width == b.width && a.height == b.height &&
+         std::equal(a.contour.begin(), a.contour.end(), b.contour.begin(), b.contour.end(),
+                    [](const ContourBeat& p, const ContourBeat& q) {
+                      return p.gx == q.gx && p.gy == q.gy && p.magnitude == q.magnitude &&
+                             p.flags == q.flags;
+                    }) &&
+         std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    [](const Vertex& p, const Vertex& q) {
+                      return p.x == q.x && p.y == q.y && p.branches == q.branches &&
+                             p.pattern == q.pattern && p.strength == q.strength;
+                    });
+}
+
+}  // namespace
+
+TEST_CASE("each view gives the golden features of its own image") {
+  const std::vector<GreyImage> views = {polygons(60, 40, 1), polygons(33, 50, 2),
+                                        polygons(5, 5, 3)};
+  const std::vector<ViewFeatures> features = simulate_views(views);
+  REQUIRE(features.size() == 3);
+  for (std::size_t v = 0; v < 3; ++v) {
+    const GreyImage& image = views[v];
+    CHECK(equal(features[v], golden::run_front_end(image.pixels.data(), image.width, image.height,
+                                                   image.width)));
+  }
+}
+
+TEST_CASE("frames back to back go in at one pixel per clock without a bubble") {
+  RunOptions options = checked();
+  options.frame_height = 40;
+  const std::vector<SourceFrame> frames(5, frame_of(polygons(50, 40, 4)));
+  const Report report = run_all(options, frames);
+  REQUIRE_FALSE(report.mismatch);
+  for (const ViewStatistics& view : report.views) {
+    CHECK(view.pixels == 5 * 50 * 40);
+    CHECK(view.input_idles == 0);
+    // The first line decides the frame's width: a few clocks, once.
+    CHECK(view.input_stalls <= 4);
+    // Ten lines and 64 clocks are the bound that the project promises.
+    CHECK(view.latency_clocks <= 10 * 50 + 64);
+  }
+  CHECK(report.compared.frames == 15);
+  CHECK(report.compared.beats == 15 * 50 * 40);
+}
+
+TEST_CASE("runs of one process do not influence each other") {
+  RunOptions options = checked();
+  options.pixel_idles = options.contour_stalls = options.vertex_stalls = {0.3, 4};
+  const std::vector<SourceFrame> frames(2, frame_of(polygons(45, 31, 9)));
+  const Report first = run_all(options, frames);
+  run_all(checked(), {frame_of(polygons(20, 20, 1))});
+  const Report again = run_all(options, frames);
+  REQUIRE_FALSE(first.mismatch);
+  CHECK(first.clocks == again.clocks);
+  CHECK(first.views[1].input_idles > 0);
+  CHECK(first.views[1].contour_stalls == again.views[1].contour_stalls);
+  options.seed = 2;
+  CHECK(run_all(options, frames).views[1].contour_stalls != first.views[1].contour_stalls);
+}
+
+TEST_CASE(
+    "a golden model with another threshold differs, and the report says "
+    "where") {
+  RunOptions options = checked();
+  options.expected_thresholds = options.thresholds;
+  options.expected_thresholds->first_contour.noise_floor = 200;
+  const Report report = run_all(options, {frame_of(polygons(60, 40, 1))});
+  REQUIRE(report.mismatch);
+  CHECK_FALSE(report.passed());
+  CHECK(report.mismatch->stage == "first_contour");
+  CHECK(report.mismatch->x >= 0);
+  CHECK_THAT(report.mismatch->text(), Contains("seed 1") && Contains("expected 0, got 1"));
+  // The next run starts from reset.
+  CHECK(run_all(checked(), {frame_of(polygons(60, 40, 1))}).passed());
+}
+
+TEST_CASE("a run that compares nothing has not passed") {
+  const Report report = run_all(checked(), {});
+  CHECK_FALSE(report.mismatch);
+  CHECK_FALSE(report.passed());
+}
+
+TEST_CASE("vertices beyond the limit are lost, counted and flagged") {
+  RunOptions options = checked();
+  options.vertex_limit = 1;
+  std::vector<FrameResult> frames;
+  const Report report =
+      Simulator::instance().run(options, for_all_views({frame_of(polygons(90, 60, 12))}),
+                                [&](FrameResult&& frame) { frames.push_back(std::move(frame)); });
+  REQUIRE_FALSE(report.mismatch);
+  REQUIRE(frames.size() == 3);
+  CHECK(frames[0].features.vertices.size() == 1);
+  CHECK(frames[0].features.vertices_lost > 0);
+  CHECK(frames[0].status == 8);
+}
+
+TEST_CASE(
+    "what a frame source throws reaches the caller, and the next run is "
+    "whole") {
+  int calls = 0;
+  const FrameSource failing = [&](int) -> std::optional<SourceFrame> {
+    if (++calls > 4) throw std::runtime_error("disk on fire");
+    return frame_of(polygons(40, 200, 1));
+  };
+  CHECK_THROWS_WITH(Simulator::instance().run(checked(), failing, nullptr), "disk on fire");
+  CHECK(run_all(checked(), {frame_of(polygons(40, 30, 1))}).passed());
+}
+
+TEST_CASE("what a frame sink throws reaches the caller, and the next run is whole") {
+  const FrameSink failing = [](FrameResult&&) { throw std::runtime_error("disk full"); };
+  const FrameSource source =
+      for_all_views(std::vector<SourceFrame>(4, frame_of(polygons(9, 9, 1))));
+  CHECK_THROWS_WITH(Simulator::instance().run(checked(), source, failing), "disk full");
+  CHECK(run_all(checked(), {frame_of(polygons(40, 30, 1))}).passed());
+}
+
+TEST_CASE("images that the hardware does not take are refused by name of size") {
+  CHECK_THROWS_WITH(simulate_views({polygons(4, 9, 1)}), Contains("4 x 9"));
+  CHECK_THROWS_WITH(simulate_views({polygons(kMaxWidthPx + 1, 9, 1)}), Contains("1921 x 9"));
+  CHECK_THROWS_AS(simulate_views({}), Error);
+  CHECK_THROWS_AS(simulate_views(std::vector<GreyImage>(4, polygons(9, 9, 1))), Error);
+}
