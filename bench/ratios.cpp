@@ -16,16 +16,15 @@ class Collector : public benchmark::ConsoleReporter {
   Collector() : ConsoleReporter(OO_None) {}
 
   void ReportRuns(const std::vector<Run>& runs) override {
-    std::vector<Run> medians;
+    std::vector<Run> shown;
     for (const Run& run : runs) {
       if (run.run_type == Run::RT_Iteration) {
         times_[run.run_name.function_name].push_back(run.cpu_accumulated_time /
                                                      static_cast<double>(run.iterations) * 1e9);
-      } else if (run.aggregate_name == "median") {
-        medians.push_back(run);
       }
+      if (run.repetitions == 1 || run.aggregate_name == "median") shown.push_back(run);
     }
-    if (!medians.empty()) ConsoleReporter::ReportRuns(medians);
+    if (!shown.empty()) ConsoleReporter::ReportRuns(shown);
   }
 
   /// Median CPU time, ns; 0 when the benchmark did not run.
@@ -43,12 +42,12 @@ class Collector : public benchmark::ConsoleReporter {
 
 }  // namespace
 
-int run_and_compare(int argc, char** argv, const std::vector<Ratio>& ratios) {
+int run_and_compare(int argc, char** argv, const std::vector<Ratio>& ratios, int repetitions) {
   std::vector<char*> arguments(argv, argv + argc);
-  std::string repetitions = "--benchmark_repetitions=9";
+  std::string turns = "--benchmark_repetitions=" + std::to_string(repetitions);
   std::string interleaving = "--benchmark_enable_random_interleaving=true";
   std::string least_time = "--benchmark_min_time=0.05";
-  for (std::string* option : {&least_time, &interleaving, &repetitions}) {
+  for (std::string* option : {&least_time, &interleaving, &turns}) {
     arguments.insert(arguments.begin() + 1, option->data());  // before the user's, which win
   }
   int count = static_cast<int>(arguments.size());

@@ -14,9 +14,9 @@ struct Ratio {
 };
 
 /// Runs the registered benchmarks and prints a table of `ratios`. The benchmarks take turns in
-/// random order, kRepetitions times each, and the medians of their CPU times are compared: what
+/// random order, `repetitions` times each, and the medians of their CPU times are compared: what
 /// else runs on the machine meets all of them alike. Returns the program's exit code, 1 on
 /// options that Google Benchmark does not know.
-int run_and_compare(int argc, char** argv, const std::vector<Ratio>& ratios);
+int run_and_compare(int argc, char** argv, const std::vector<Ratio>& ratios, int repetitions);
 
 }  // namespace trihedron::bench
