@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/build.sh
+scripts/build.sh trihedron
 build/release/sw/cli/trihedron recognize testvectors/scenes/studio-two/000034 \
   --models testvectors/models10 --frontend rtl --out out/demo
 echo "pictures: out/demo"
