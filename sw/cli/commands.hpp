@@ -12,6 +12,10 @@ enum ExitCode : int {
   kBadInput = 2,      ///< bad input or usage
 };
 
+// Checks of numeric options, with a message for a person.
+extern const CLI::Validator kPositive;
+extern const CLI::Validator kNotNegative;
+
 // Each adds one command to the program. When the command line names it, its callback does the
 // work and stores the exit code; it throws Error on bad input.
 void add_recognize(CLI::App& program, int& exit_code);

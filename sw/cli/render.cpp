@@ -69,11 +69,11 @@ void run(RenderArguments a) {
 
 void add_scene_options(CLI::App& command, RenderArguments& a) {
   render::GenerateOptions& o = a.options;
-  command.add_option("--scenes", a.scenes, "number of scenes")->check(CLI::PositiveNumber);
+  command.add_option("--scenes", a.scenes, "number of scenes")->check(kPositive);
   command.add_option("--first-id", a.first_id, "number of the first scene's folder");
   command.add_option("--seed", a.seed, "same seed, same scenes");
   command.add_option("--objects", o.placement.objects, "objects per scene")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command.add_flag("--stacked", o.placement.stacked, "the second object stands on the first");
   command.add_flag("--leaning", o.placement.leaning, "one object leans against the first");
   command.add_flag("--repeat", o.placement.repeat_models, "a model may occur more than once");
@@ -93,7 +93,7 @@ void add_picture_options(CLI::App& command, RenderArguments& a) {
   command.add_option("--grain", a.grain, "blotchy noise, standard deviation, grey levels");
   command.add_option("--vignetting", a.vignetting, "loss of light in the corners, fraction");
   command.add_option("--contrast", o.contrast, "factor of all grey-level differences")
-      ->check(CLI::PositiveNumber);
+      ->check(kPositive);
   command.add_option("--shadows", a.shadows, "on, off, or as the look has them")
       ->check(CLI::IsMember({"look", "on", "off"}));
   command.add_option("--threads", o.threads, "0: all; the pictures do not depend on it");
@@ -112,7 +112,7 @@ void add_camera_options(CLI::App& command, RenderArguments& a) {
   command
       .add_option("--calibration-error", o.calibration_error_px,
                   "error of the written cameras, standard deviation in the image, px")
-      ->check(CLI::NonNegativeNumber);
+      ->check(kNotNegative);
 }
 
 }  // namespace

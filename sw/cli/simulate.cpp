@@ -200,7 +200,7 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->check(CLI::Range(0.0, 0.95))
       ->capture_default_str();
   command.add_option("--limit", arguments.limit, "Stop after so many frames; 0: all")
-      ->check(CLI::NonNegativeNumber);
+      ->check(kNotNegative);
   command.add_flag("--keep-going", arguments.keep_going, "Pass over unreadable frames");
   command.add_flag("--quiet", arguments.quiet, "Only the closing lines");
   command.add_flag("--json", arguments.json, "Print the result as JSON");

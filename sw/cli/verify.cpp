@@ -187,7 +187,7 @@ void add_verify(CLI::App& program, int& exit_code) {
   CLI::App* command =
       program.add_subcommand("verify", "Random regression of the RTL against the golden model");
   command->add_option("--frames", arguments->frames, "Send at least so many frames")
-      ->check(CLI::PositiveNumber)
+      ->check(kPositive)
       ->capture_default_str();
   command->add_option("--seed", arguments->seed, "Seed of the first case")->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Processes")
