@@ -16,7 +16,7 @@ constexpr double kContourPx = 1.8;
 /// Two lines nearer than about this share one contour, px.
 constexpr double kMergedPx = 3.5;
 /// Predicted lines of two objects within this are one contour, px.
-constexpr double kSharedPx = 2.0;
+constexpr double kSharedPx = 4.0;
 /// Contours within this of a predicted line belong to it, px.
 constexpr double kExplainedPx = 3.0;
 

@@ -11,7 +11,7 @@ namespace {
 /// Solids of verified poses penetrate each other by less, mm: the poses' errors.
 constexpr double kPenetrationMm = 2.0;
 /// A candidate may stand in for an occluder once so much of it is found, before it is accepted.
-constexpr double kTentativeShare = 0.5;
+constexpr double kTentativeShare = 0.35;
 /// Expected false alarms of a candidate that may be tried at all, as log10.
 constexpr double kTentativeLog10 = -3;
 /// Two answers are equally good when their log evidence differs by less than this share of it:
