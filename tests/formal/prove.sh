@@ -34,10 +34,12 @@ check() {
   fi
 }
 
-for module in ${*:-skid_buffer shift_fifo stream_fifo}; do
+for module in ${*:-skid_buffer shift_fifo stream_fifo stream_merge axil_slave}; do
   case $module in
     skid_buffer) check skid_buffer 's/if \(!spare_valid_q\) spare_q/spare_q/' ;;
     shift_fifo) check shift_fifo 's/used_after_pop\[i\] \?/used_q[i] ?/' ;;
+    stream_merge) check stream_merge 's/above_q <= ~\(grant \| .*/above_q <= above_q;/' ;;
+    axil_slave) check axil_slave 's/ else if \(s_axil_rready_i\) s_axil_rvalid_o/ else s_axil_rvalid_o/' ;;
     stream_fifo) check stream_fifo 's/m_tvalid_o <= write_q != read_d/m_tvalid_o <= write_q != read_q/' ;;
     *) echo "$module: no properties"; status=1 ;;
   esac
