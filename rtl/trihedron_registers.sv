@@ -21,7 +21,7 @@ package trihedron_registers;
       32'h00000000, 32'h00000000, 32'h00000000, 32'h00000005,
       32'h00000014, 32'h00000090, 32'h00000015, 32'h0000000c,
       32'h0000ffff, 32'h00010000, 32'h00000000, 32'h0000ffff,
-      32'h00000000, 32'h00000000, 32'h00000100, 32'h54524548};
+      32'h00000000, 32'h00000000, 32'h00000100, 32'h54524948};
   localparam int IdWord = 0;
   localparam int IdIdBit = 0;
   localparam int IdIdWidth = 32;

@@ -26,7 +26,7 @@ constexpr std::uint32_t kGlobalBase = 0x000;
 
 /// Identity.
 constexpr std::uint32_t kId = 0x000;
-constexpr Field kIdId{kId, 0, 32, 0x54524548};  ///< ASCII "TRIH"
+constexpr Field kIdId{kId, 0, 32, 0x54524948};  ///< ASCII "TRIH"
 
 /// Version of the hardware and of this map.
 constexpr std::uint32_t kVersion = 0x004;
