@@ -78,13 +78,16 @@ std::string percent(int part, int whole) {
 
 std::string results_line(const Line& line) {
   const bool errors = !line.vertex_mm.empty();
-  return fmt::format(
-      "{:<18} {:>6} {:>7} {:>5} {:>5} {:>7} {:>6}  {:>6} {:>6}  {:>9} {:>5} {:>7}\n", line.kind,
-      line.scenes, line.objects, line.right, line.wrong, percent(line.right, line.objects),
-      line.recall.empty() ? "-" : fmt::format("{:.3f}", mean(line.recall)),
-      errors ? fmt::format("{:.2f}", mean(line.vertex_mm)) : "-",
-      errors ? fmt::format("{:.2f}", median(line.vertex_mm)) : "-", line.surfaces_described,
-      line.surfaces_right, percent(line.surfaces_right, line.surfaces_described));
+  const bool surfaces = line.surfaces_described > 0;  // only some methods describe surfaces
+  return fmt::format("{:<18} {:>6} {:>7} {:>5} {:>5} {:>7} {:>6}  {:>6} {:>6}  {:>9} {:>5} {:>7}\n",
+                     line.kind, line.scenes, line.objects, line.right, line.wrong,
+                     percent(line.right, line.objects),
+                     line.recall.empty() ? "-" : fmt::format("{:.3f}", mean(line.recall)),
+                     errors ? fmt::format("{:.2f}", mean(line.vertex_mm)) : "-",
+                     errors ? fmt::format("{:.2f}", median(line.vertex_mm)) : "-",
+                     surfaces ? std::to_string(line.surfaces_described) : "-",
+                     surfaces ? std::to_string(line.surfaces_right) : "-",
+                     percent(line.surfaces_right, line.surfaces_described));
 }
 
 std::string results_table(const std::vector<Line>& lines) {
