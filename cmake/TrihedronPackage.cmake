@@ -13,5 +13,7 @@ install(FILES ${PROJECT_BINARY_DIR}/trihedron-config.cmake
 install(EXPORT trihedron NAMESPACE trihedron:: FILE trihedron-targets.cmake
         DESTINATION ${package_dir})
 
+# Relative, so that `cmake --install --prefix` may choose the place.
+file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/trihedron.pc.in ${PROJECT_BINARY_DIR}/trihedron.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/trihedron.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
