@@ -16,7 +16,7 @@
 //                      of its first line is accepted, unless hold_i
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 8 rows and about 60 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 8 rows and 54 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
