@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "cli/run.hpp"
 #include "io/bop_results.hpp"
 
 using namespace trihedron;
 using Catch::Matchers::Contains;
-
-namespace {
-
-/// A results file without its last column, the time.
-std::string without_times(const std::string& csv) {
-  return std::regex_replace(csv, std::regex(",[^,\n]*\n"), "\n");
-}
-
-}  // namespace
 
 TEST_CASE("evaluate lists every set, and the number of jobs changes nothing but times") {
   const Scratch scratch;

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <regex>
 #include <string>
 
 #include "io/file.hpp"
@@ -33,6 +34,11 @@ inline Run run_program(const std::string& arguments) {
 /// Whether the text is exactly one line.
 inline bool is_one_line(const std::string& text) {
   return !text.empty() && text.find('\n') == text.size() - 1;
+}
+
+/// A results file without its last column, the time.
+inline std::string without_times(const std::string& csv) {
+  return std::regex_replace(csv, std::regex(",[^,\n]*\n"), "\n");
 }
 
 inline const std::string kModels = TRIHEDRON_TESTVECTORS "/models10";

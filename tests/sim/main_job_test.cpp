@@ -2,7 +2,6 @@
 // The project's main job on the bundled scenes, from pixels through the simulated RTL to poses.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "cli/run.hpp"
 
@@ -12,11 +11,6 @@ namespace {
 
 /// The design's bound on the median vertex error of noisy scenes, mm.
 constexpr double kMedianVertexErrorMm = 0.6;
-
-/// A results file without its last column, the time.
-std::string without_times(const std::string& csv) {
-  return std::regex_replace(csv, std::regex(",[^,\n]*\n"), "\n");
-}
 
 }  // namespace
 
