@@ -90,7 +90,19 @@ def header(blocks):
             for f in r["fields"]:
                 out.append(f"constexpr Field k{n}{camel(f['name'])}{{k{n}, {f['lsb']}, {f['width']}, "
                            f"0x{f.get('reset', 0):x}}};  ///< {f['description']}")
-    out += ["", "}  // namespace trihedron::registers"]
+    out += ["", "/// One register as a whole.", "struct Register {", "  const char* name;",
+            "  std::uint32_t address;   ///< byte address; per-view blocks: of view 0",
+            "  bool per_view;           ///< repeated for each view",
+            "  std::uint32_t writable;  ///< bits that a write sets",
+            "  std::uint32_t sticky;    ///< bits that a written 1 clears",
+            "  std::uint32_t reset;     ///< value after reset, as far as the map fixes it", "};",
+            "inline constexpr Register kRegisters[] = {"]
+    for block in blocks:
+        for r in block["registers"]:
+            out.append(f'    {{"{r["name"]}", k{camel(r["name"])}, '
+                       f'{"true" if block.get("per_view") else "false"}, 0x{write_mask("rw")(r):x}, '
+                       f'0x{write_mask("w1c")(r):x}, 0x{reset_value(r):x}}},')
+    out += ["};", "", "}  // namespace trihedron::registers"]
     return "\n".join(out) + "\n"
 
 

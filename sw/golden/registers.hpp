@@ -119,4 +119,35 @@ constexpr std::uint32_t kLastFrame = 0x114;
 constexpr Field kLastFrameSent{kLastFrame, 0, 16, 0x0};  ///< records
 constexpr Field kLastFrameLost{kLastFrame, 16, 16, 0x0};  ///< records
 
+/// One register as a whole.
+struct Register {
+  const char* name;
+  std::uint32_t address;   ///< byte address; per-view blocks: of view 0
+  bool per_view;           ///< repeated for each view
+  std::uint32_t writable;  ///< bits that a write sets
+  std::uint32_t sticky;    ///< bits that a written 1 clears
+  std::uint32_t reset;     ///< value after reset, as far as the map fixes it
+};
+inline constexpr Register kRegisters[] = {
+    {"ID", kId, false, 0x0, 0x0, 0x54524948},
+    {"VERSION", kVersion, false, 0x0, 0x0, 0x100},
+    {"LIMITS", kLimits, false, 0x0, 0x0, 0x0},
+    {"CYCLES", kCycles, false, 0x0, 0x0, 0x0},
+    {"CONTROL", kControl, false, 0x1ffff, 0x0, 0xffff},
+    {"FRAME_HEIGHT", kFrameHeight, false, 0xfff, 0x0, 0x0},
+    {"FLUSH_TIMEOUT", kFlushTimeout, false, 0xfffff, 0x0, 0x10000},
+    {"VERTEX_LIMIT", kVertexLimit, false, 0xffff, 0x0, 0xffff},
+    {"NOISE_FLOOR", kNoiseFloor, false, 0x1ff, 0x0, 0xc},
+    {"MEAN_LIMIT", kMeanLimit, false, 0x1f, 0x0, 0x15},
+    {"SUPPORT", kSupport, false, 0x3fff, 0x0, 0x90},
+    {"BRANCH_FLOOR", kBranchFloor, false, 0x1ff, 0x0, 0x14},
+    {"MIN_TURN", kMinTurn, false, 0x1f, 0x0, 0x5},
+    {"STATUS", kStatus, true, 0x0, 0x1ff, 0x0},
+    {"FRAMES", kFrames, true, 0x0, 0x0, 0x0},
+    {"VERTICES", kVertices, true, 0x0, 0x0, 0x0},
+    {"LOST", kLost, true, 0x0, 0x0, 0x0},
+    {"ERRORS", kErrors, true, 0x0, 0x0, 0x0},
+    {"LAST_FRAME", kLastFrame, true, 0x0, 0x0, 0x0},
+};
+
 }  // namespace trihedron::registers
