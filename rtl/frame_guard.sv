@@ -9,8 +9,9 @@
 // after frame_height_i lines (if not 0), or after flush_timeout_i idle clocks (if it is 0).
 //
 //   s_axis_*         video: tuser start of frame, tlast end of line
-//   enable_i         0: frames are dropped from the next start of frame on
-//   frame_height_i   lines per frame, px; 0: not known
+//   enable_i         0: frames are dropped; sampled at start_o
+//   frame_height_i   lines per frame, px; 0: not known; sampled at start_o unless hold_i
+//   start_o          a start of frame is taken: the clock in which a frame's settings are sampled
 //   flush_timeout_i  idle clocks after a whole line that end a frame of unknown height
 //   write_*_o        pixel ring; read_i is its reader's position (one bit more than an address)
 //   line_*           announcements: line_whole_o a line (line_first_o of a frame), line_last_o
@@ -18,7 +19,7 @@
 //                    3 smaller than 5 rows
 //   last_col_o       width - 1 of the frames announced from now on
 //   switch_o         a frame of other width or settings waits for drained_i (nothing in flight);
-//                    load_o: it is let in now, settings are taken over
+//                    load_o: it is let in now, its settings come into force
 //   idle_o           nothing arrived for 16 clocks
 //   event_o          one clock per event: see the bits below
 //
@@ -36,8 +37,10 @@ module frame_guard #(
     input  logic                          s_axis_tuser_i,
     input  logic                          s_axis_tlast_i,
     input  logic                          enable_i,
+    input  logic                          hold_i,
     input  logic [                  11:0] frame_height_i,
     input  logic [                  19:0] flush_timeout_i,
+    output logic                          start_o,
     output logic                          write_valid_o,
     output logic [          RingBits-1:0] write_address_o,
     output logic [                   7:0] write_data_o,
@@ -126,6 +129,7 @@ module frame_guard #(
     end
   end
 
+  assign start_o = take && sof;
   assign switch_o = in_valid && switch_needed;
   assign load_o = switch_o && drained_i && !ring_full_q;
   assign last_col_o = last_col_q;
@@ -144,14 +148,15 @@ module frame_guard #(
     rows_is_height_m1_q <= height_q != '0 && rows_q == height_q - 12'd1;
     rows_is_max_q       <= rows_q == 12'(MaxHeightPx);
     idle_timeout_q      <= idle_clocks_q >= flush_timeout_i;
-    if (take && sof) height_q <= frame_height_i;
     if (load_o) last_col_q <= col_q;
 
     if (!rst_ni) begin
       {active_q, begun_q, quiet_q, switched_q, ring_full_q} <= '0;
       {write_q, commit_q, rows_q, idle_clocks_q} <= '0;
       last_col_q <= '0;
+      height_q <= frame_height_i;
     end else begin
+      if (start_o && !hold_i) height_q <= frame_height_i;
       idle_clocks_q <= in_valid ? '0 : idle_clocks_q + 20'(!(&idle_clocks_q));
       ring_full_q <= (RingBits + 1)'(write_q - read_i) >= (RingBits + 1)'((1 << RingBits) - 3);
       switched_q <= load_o || (switched_q && !take);

@@ -11,9 +11,9 @@
 //   s_axis_*           8-bit grey video: tuser start of frame, tlast end of line
 //   m_axis_contour_*   one beat per pixel, see contour_packer
 //   m_axis_vertex_*    records, see vertex_packer
-//   enable_i, frame_height_i, flush_timeout_i   see frame_guard
-//   thresholds_i       {vertex limit, noise floor, ...}: in force for a frame when the last pixel
-//                      of its first line is accepted, unless hold_i
+//   enable_i, flush_timeout_i   see frame_guard
+//   frame_height_i .. min_turn_i   settings of a frame: sampled when its first pixel leaves the
+//                      input register; with hold_i 1 it keeps those of the frame before
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
 // Latency to the contour stream: 1 + 8 rows and 54 clocks; throughput 1 pixel per clock. Border and bad
@@ -60,9 +60,9 @@ module view_pipeline #(
   localparam int MagnitudeBits = FractionBits + 6;
   localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + MagnitudeBits + 5;
 
-  // Settings of the frames in flight.
-  logic [SettingsBits-1:0] settings, settings_q;
-  logic settings_changed_q, load;
+  // Settings of the frame that enters and of the frames in flight.
+  logic [SettingsBits-1:0] settings, settings_next_q, settings_q;
+  logic settings_changed_q, start, load;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor, branch_floor;
   logic [4:0] mean_limit, min_turn;
@@ -71,9 +71,10 @@ module view_pipeline #(
                      branch_floor_i, min_turn_i};
   assign {limit, noise_floor, mean_limit, support, branch_floor, min_turn} = settings_q;
   always_ff @(posedge clk_i) begin
-    settings_changed_q <= !hold_i && settings != settings_q;
-    if (load && !hold_i) settings_q <= settings;
+    settings_changed_q <= settings_next_q != settings_q;
+    if (!rst_ni || (start && !hold_i)) settings_next_q <= settings;
     if (!rst_ni) settings_q <= settings;
+    else if (load) settings_q <= settings_next_q;
   end
 
   logic write_valid, line_valid, line_ready, line_whole, line_first, line_last;
@@ -96,8 +97,10 @@ module view_pipeline #(
       .s_axis_tuser_i(s_axis_tuser),
       .s_axis_tlast_i(s_axis_tlast),
       .enable_i,
+      .hold_i,
       .frame_height_i,
       .flush_timeout_i,
+      .start_o(start),
       .write_valid_o(write_valid),
       .write_address_o(write_address),
       .write_data_o(write_data),

@@ -110,8 +110,20 @@ def page(title, blocks):
     access = {"ro": "read only", "rw": "read, write", "w1c": "sticky, write 1 to clear"}
     out = [f"# {title}", "", f"<!-- {NOTE} -->", "",
            "AXI4-Lite, 32-bit words, byte addresses. Other addresses read 0 and ignore writes; every access "
-           "answers OKAY.", "Registers marked *threshold* take effect at a frame border: a frame uses the values "
-           "that hold when the last pixel of its first line is accepted.", ""]
+           "answers OKAY.", "",
+           "**Settings marked *per frame*** may be written at any time. Each view takes them over at the first pixel of "
+           "a frame and keeps",
+           "them for the whole frame: a write that is answered before that pixel is accepted counts for the frame, a "
+           "later one for the",
+           "next. (Exactly: the values in the clock in which the pixel leaves the input register, one clock after it is "
+           "accepted, or",
+           "later while the pipeline makes the input wait.) To change several together: set `CONTROL.hold`, write them, "
+           "clear it. The first",
+           "frame with new thresholds waits at the end of its first line until the frame before has left the pipeline "
+           "([integration.md](integration.md)).", "",
+           "Counters and `STATUS` are read in one clock each, never torn; two registers read one after the other may "
+           "belong to",
+           "different frames: read `FRAMES` before and after, and again if it changed.", ""]
     for block in blocks:
         where = (f"0x{block['base']:03x} + 0x{4 * block['words']:02x} * view" if block.get("per_view")
                  else f"0x{block['base']:03x}")
@@ -119,7 +131,7 @@ def page(title, blocks):
                 "| address | register | access | bits | field | reset | meaning |",
                 "|---|---|---|---|---|---|---|"]
         for r in block["registers"]:
-            a = access[r["access"]] + (", *threshold*" if r.get("threshold") else "")
+            a = access[r["access"]] + (", *per frame*" if r.get("per_frame") else "")
             out.append(f"| 0x{address(block, r):03x} | **{r['name']}** | {a} | | | | {r['description']} |")
             for f in r["fields"]:
                 msb = f["lsb"] + f["width"] - 1

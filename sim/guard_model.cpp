@@ -8,14 +8,15 @@ namespace trihedron::sim {
 
 void GuardModel::feed(const WireLine& line, std::vector<ExpectedFrame>& done) {
   if (line.gap_clocks > flush_timeout_ && line_.empty()) finish(done);
-  changes_ += line.hold;
   const std::uint8_t* const first = line.pixels.data();
   const std::uint8_t* const last = first + line.pixels.size();
   if (line.stray_start <= 0) {
-    return pixels(first, last, line.start || line.stray_start == 0, line.end, done);
+    pixels(first, last, line.start || line.stray_start == 0, line.end, done);
+  } else {
+    pixels(first, first + line.stray_start, line.start, false, done);
+    pixels(first + line.stray_start, last, true, line.end, done);
   }
-  pixels(first, first + line.stray_start, line.start, false, done);
-  pixels(first + line.stray_start, last, true, line.end, done);
+  changes_ += line.hold;
 }
 
 void GuardModel::finish(std::vector<ExpectedFrame>& done) {

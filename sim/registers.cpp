@@ -19,6 +19,7 @@ std::vector<RegisterValue> threshold_settings(const ThresholdChange& change) {
       {"VERTEX_LIMIT", registers::kVertexLimit, value(change.vertex_limit)},
       {"NOISE_FLOOR", registers::kNoiseFloor, value(thresholds.first_contour.noise_floor)},
       {"MEAN_LIMIT", registers::kMeanLimit, value(thresholds.first_contour.mean_limit)},
+      {"SUPPORT", registers::kSupport, value(thresholds.second_contour.support)},
       {"BRANCH_FLOOR", registers::kBranchFloor, value(thresholds.vertices.branch_floor)},
       {"MIN_TURN", registers::kMinTurn, value(thresholds.vertices.min_turn)},
   };

@@ -79,6 +79,7 @@ golden::FrontEndConfig random_thresholds(Random& random) {
   if (random.chance(0.4)) return config;
   config.first_contour.noise_floor = random.between(1, random.chance(0.5) ? 40 : 511);
   config.first_contour.mean_limit = random.between(1, 31);
+  config.second_contour.support = random.between(0, random.chance(0.5) ? 400 : 12775);
   config.vertices.branch_floor = random.between(1, random.chance(0.5) ? 60 : 511);
   config.vertices.min_turn = random.between(1, 27);
   return config;

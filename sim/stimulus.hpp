@@ -45,7 +45,7 @@ struct SourceFrame {
   Fault fault = Fault::kNone;
   int fault_line = 0;  ///< row that `fault` is about
   int fault_px = 1;    ///< columns missing, too many, or before the stray start of frame
-  bool holds = false;  ///< the sender waits in line 2 until all views do and thresholds are changed
+  bool holds = false;  ///< the sender waits in line 0 until all views do and thresholds are changed
   int gap_clocks = 0;  ///< idle clocks before the first pixel, at most kMaxGapClocks
 };
 

@@ -24,7 +24,7 @@ class StreamDriver {
   bool wants_lines() const { return lines_.size() < kQueueLines && !closed_; }
   /// True when it waits within a line until release().
   bool holding() const {
-    return !lines_.empty() && lines_.front()->hold && column_ == 1 && !released_;
+    return !lines_.empty() && lines_.front()->hold && column_ == kHoldColumn && !released_;
   }
   void release() { released_ = true; }
   bool finished() const { return lines_.empty() && closed_; }
@@ -64,6 +64,8 @@ class StreamDriver {
 
  private:
   static constexpr std::size_t kQueueLines = 64;
+  // The device's input register holds two pixels: when the third is in, the first has left it.
+  static constexpr std::size_t kHoldColumn = 3;
 
   Stall idle_;
   std::deque<WireLinePtr> lines_;

@@ -6,9 +6,9 @@
 namespace trihedron::sim {
 namespace {
 
-// A frame's thresholds are settled when its first line is in the frame guard. The input buffer
-// may take the start of the second line before that, not the third.
-constexpr int kHoldRow = 2;
+// A frame's settings are those at its first pixel: what is written later in the same line must
+// not reach it.
+constexpr int kHoldRow = 0;
 
 void spoil(WireLine& line, const SourceFrame& frame) {
   const int width = static_cast<int>(line.pixels.size());

@@ -16,7 +16,7 @@ struct WireLine {
   bool start = false;    ///< tuser at the first pixel
   int stray_start = -1;  ///< column with a tuser that does not belong there, or -1
   bool end = true;       ///< tlast at the last pixel
-  bool hold = false;     ///< waits before the second pixel until it is released
+  bool hold = false;     ///< waits before the fourth pixel until it is released
   int gap_clocks = 0;    ///< idle clocks before the first pixel
 };
 using WireLinePtr = std::shared_ptr<const WireLine>;

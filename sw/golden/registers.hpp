@@ -47,14 +47,14 @@ constexpr Field kCyclesCycles{kCycles, 0, 32, 0x0};  ///< clocks
 
 /// What runs.
 constexpr std::uint32_t kControl = 0x010;
-constexpr Field kControlEnable{kControl, 0, 16, 0xffff};  ///< one bit per view; 0: the view's input is dropped from its next start of frame on
-constexpr Field kControlHold{kControl, 16, 1, 0x0};  ///< 1: changes of thresholds wait; write several, then clear it, and a frame sees all or none
+constexpr Field kControlEnable{kControl, 0, 16, 0xffff};  ///< one bit per view, *per frame*; 0: the frame is dropped whole, unseen by every counter
+constexpr Field kControlHold{kControl, 16, 1, 0x0};  ///< 1: frames that start keep the *per frame* settings (enable excepted) of the frame before; acts at once
 
-/// Lines per frame, if known. A frame then ends with its last line and needs no next frame or timeout. Sampled at a start of frame.
+/// Lines per frame, if known. A frame then ends with its last line and needs no next frame or timeout.
 constexpr std::uint32_t kFrameHeight = 0x014;
 constexpr Field kFrameHeightLines{kFrameHeight, 0, 12, 0x0};  ///< px; 0: not known
 
-/// A frame of unknown height ends when its input is idle for so long after a whole line. Must exceed the longest pause between lines.
+/// A frame of unknown height ends when its input is idle for so long after a whole line. Must exceed the longest pause between lines. Acts at once.
 constexpr std::uint32_t kFlushTimeout = 0x018;
 constexpr Field kFlushTimeoutClocks{kFlushTimeout, 0, 20, 0x10000};  ///< clocks
 
@@ -86,7 +86,7 @@ constexpr Field kMinTurnTurn{kMinTurn, 0, 5, 0x5};  ///< 1/64 of a full turn
 constexpr std::uint32_t kViewBase = 0x100;
 constexpr std::uint32_t kViewStride = 0x040;  ///< per view
 
-/// Sticky: what went wrong since the bit was cleared. Write 1 to clear.
+/// Sticky: what went wrong since the bit was cleared. Write 1 to clear; an event in the same clock wins, so none is lost.
 constexpr std::uint32_t kStatus = 0x100;
 constexpr Field kStatusShortLine{kStatus, 0, 1, 0x0};  ///< a line shorter than its frame's first
 constexpr Field kStatusLongLine{kStatus, 1, 1, 0x0};  ///< a line longer than its frame's first
@@ -98,7 +98,7 @@ constexpr Field kStatusEarlyStart{kStatus, 6, 1, 0x0};  ///< start of frame insi
 constexpr Field kStatusTooFewRows{kStatus, 7, 1, 0x0};  ///< a frame of fewer than 5 lines
 constexpr Field kStatusVerticesLost{kStatus, 8, 1, 0x0};  ///< a frame had more than VERTEX_LIMIT vertices
 
-/// Frames that have left the pipeline, modulo 2^32.
+/// Frames whose end-of-frame record has been made, modulo 2^32.
 constexpr std::uint32_t kFrames = 0x104;
 constexpr Field kFramesFrames{kFrames, 0, 32, 0x0};  ///< frames
 
@@ -110,11 +110,11 @@ constexpr Field kVerticesVertices{kVertices, 0, 32, 0x0};  ///< records
 constexpr std::uint32_t kLost = 0x10c;
 constexpr Field kLostVertices{kLost, 0, 32, 0x0};  ///< records
 
-/// Events of the sticky kinds 0 .. 7, modulo 2^16.
+/// Pixels and time-outs that set one or more of the sticky bits 0 .. 7, modulo 2^16.
 constexpr std::uint32_t kErrors = 0x110;
-constexpr Field kErrorsEvents{kErrors, 0, 16, 0x0};  ///< events
+constexpr Field kErrorsEvents{kErrors, 0, 16, 0x0};  ///< pixels and time-outs
 
-/// Vertices of the frame that left the pipeline last.
+/// Counts of the frame that FRAMES counted last.
 constexpr std::uint32_t kLastFrame = 0x114;
 constexpr Field kLastFrameSent{kLastFrame, 0, 16, 0x0};  ///< records
 constexpr Field kLastFrameLost{kLastFrame, 16, 16, 0x0};  ///< records

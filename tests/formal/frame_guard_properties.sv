@@ -18,6 +18,8 @@ module frame_guard_properties #(
     input logic        tuser,
     input logic        tlast,
     input logic        enable,
+    input logic        hold,
+    input logic [ 2:0] frame_height,
     input logic [19:0] flush_timeout,
     input logic        line_ready,
     input logic        read_step,
@@ -28,7 +30,6 @@ module frame_guard_properties #(
   localparam int MaxHeightPx = 6;
   localparam int RingBits = 5;
 
-  (* anyconst *) logic [11:0] frame_height;
   (* anyconst *) logic [ 2:0] width;
   (* anyconst *) logic [ 2:0] watched_col;
 
@@ -38,8 +39,16 @@ module frame_guard_properties #(
     if (!started_q) assume (!rst_ni);
   end
 
+  // The frame's height: what FRAME_HEIGHT holds when its first pixel is taken.
+  logic tready, start;
+  logic [2:0] height_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || (tvalid && tready && tuser && !hold)) height_q <= frame_height;
+    if (started_q && rst_ni) assert (start == (tvalid && tready && tuser));
+  end
+
   // Marks: column and row in the frame (7: far out), last column, parity of the frame.
-  logic tready, parity_q, parity;
+  logic parity_q, parity;
   logic [2:0] next_col_q, next_row_q, col, row;
   logic [RingBits:0] accepted_q;
   assign col = tuser ? 3'd0 : next_col_q;
@@ -64,12 +73,12 @@ module frame_guard_properties #(
     pause_q <= rst_ni && !tvalid ? pause_q + 3'd1 : '0;
     if (Good && rst_ni) begin
       assume (width == 3'd5 || width == 3'd6);
-      assume (frame_height == 12'd0 || frame_height == 12'd5 || frame_height == 12'd6);
+      assume (frame_height == 3'd0 || frame_height == 3'd5 || frame_height == 3'd6);
       assume (enable && flush_timeout == 20'd16 && pause_q != 3'd7);
       if (tvalid) begin
         assume (tlast == (col == width - 3'd1));
-        if (frame_height != '0) begin
-          assume (tuser == (next_col_q == '0 && (next_row_q == frame_height[2:0] ||
+        if (height_q != '0) begin
+          assume (tuser == (next_col_q == '0 && (next_row_q == height_q ||
                                                  next_row_q == 3'd7)));
         end else begin
           assume (tuser ? next_col_q == '0 && next_row_q >= 3'd5
@@ -103,7 +112,9 @@ module frame_guard_properties #(
       .s_axis_tuser_i(tuser),
       .s_axis_tlast_i(tlast),
       .enable_i(enable),
-      .frame_height_i(frame_height),
+      .hold_i(hold),
+      .frame_height_i({9'd0, frame_height}),
+      .start_o(start),
       .flush_timeout_i(flush_timeout),
       .write_valid_o(write_valid),
       .write_address_o(write_address),
@@ -162,8 +173,8 @@ module frame_guard_properties #(
         assert (rows <= 3'(MaxHeightPx));
         assert (line_first || last_col == frame_last_col_q);
         assert (!line_last || line_fault != 2'd0 || rows >= 3'd5);
-        assert (!line_last || line_fault != 2'd0 || frame_height == '0 ||
-                12'(rows) == frame_height);
+        assert (!line_last || line_fault != 2'd0 || height_q == '0 ||
+                rows == height_q);
       end
       // A whole line is one line of the input, the frame's next.
       if (Order && line_valid && line_whole) begin
@@ -224,7 +235,7 @@ module frame_guard_properties #(
         assert (\dut.col_is_max_q == (guard_col == 3'd5));
         assert (\dut.switched_q ? guard_col == last_col && !begun && guard_col > 3'd3
                                 : \dut.col_is_width_q == (guard_col != '0 && guard_col == last_col));
-        assert (\dut.height_q == frame_height);
+        assert (\dut.height_q == 12'(height_q));
         assert (start_pending_q || watched_col >= guard_col ||
                 watched_q == {parity_q, 1'b0, next_row_q, watched_col});
       end
@@ -235,16 +246,16 @@ module frame_guard_properties #(
         assert (last_col == 3'd4 || last_col == 3'd5);
         assert (guard_col <= last_col);
         assert (guard_col == '0 || (\dut.rows_is_max_q == (rows_q == 3'd6) &&
-                \dut.rows_is_height_m1_q == (frame_height != '0 &&
-                                             12'(rows_q) == frame_height - 12'd1)));
-        assert (frame_height < 12'd2 || 12'(rows_q) < frame_height);
+                \dut.rows_is_height_m1_q == (height_q != '0 &&
+                                             rows_q == height_q - 3'd1)));
+        assert (height_q < 3'd2 || rows_q < height_q);
       end
       if (Good) begin
         assert (20'(pause_q) >= \dut.idle_clocks_q && (was_reset_q || !\dut.idle_timeout_q ));
         assert (!open_q || last_col == width - 3'd1);
         assert (active || next_col_q == '0);
-        assert (active || next_row_q == 3'd7 || (frame_height != '0 &&
-                                                 next_row_q == frame_height[2:0]));
+        assert (active || next_row_q == 3'd7 || (height_q != '0 &&
+                                                 next_row_q == height_q));
         assert (!active || begun || (next_col_q != '0 && next_col_q < width));
       end
     end
