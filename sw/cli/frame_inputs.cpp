@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/frame_inputs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "golden/error.hpp"
@@ -25,15 +25,7 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
   return entries;
 }
 
-bool is_image(const fs::path& file) {
-  static const std::vector<std::string> kEndings = {".png", ".jpg",  ".jpeg", ".bmp", ".pgm",
-                                                    ".ppm", ".tiff", ".tif",  ".webp"};
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return fs::is_regular_file(file) &&
-         std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
+bool is_image(const fs::path& file) { return fs::is_regular_file(file) && is_image_name(file); }
 
 bool is_scene(const fs::path& folder) { return fs::is_directory(folder / "gray"); }
 
@@ -43,16 +35,15 @@ std::string name_of(const fs::path& path) {
   return fs::is_directory(whole) ? whole.filename().string() : whole.stem().string();
 }
 
-void check_size(const cv::Mat& image, const fs::path& file) {
+void check_size(const cv::Mat& image, const std::string& place) {
   using namespace trihedron::sim;
   if (image.cols >= kMinSizePx && image.cols <= kMaxWidthPx && image.rows >= kMinSizePx &&
       image.rows <= kMaxHeightPx) {
     return;
   }
-  throw Error(file.string() + ": " + std::to_string(image.cols) + " x " +
-              std::to_string(image.rows) + " px; this build takes " + std::to_string(kMinSizePx) +
-              " to " + std::to_string(kMaxWidthPx) + " x " + std::to_string(kMinSizePx) + " to " +
-              std::to_string(kMaxHeightPx) + " px");
+  throw Error(fmt::format("{}: {} x {} px; this build takes {} to {} x {} to {} px", place,
+                          image.cols, image.rows, kMinSizePx, kMaxWidthPx, kMinSizePx,
+                          kMaxHeightPx));
 }
 
 }  // namespace
@@ -72,36 +63,36 @@ FrameInputs::FrameInputs(const std::vector<std::string>& inputs, bool keep_going
   for (const std::string& input : inputs) add(input);
 }
 
-void FrameInputs::add(const fs::path& input) {
-  if (!fs::exists(input)) throw Error(input.string() + ": no such file or folder");
-  if (!fs::is_directory(input)) return add_file(input);
-  const std::size_t before = items_.size();
-  add_scenes(input);
-  if (items_.size() == before) add_folder(input);
-  if (items_.size() == before) {
-    throw Error(input.string() + ": no image in it; expected images, or scenes with gray/*.png");
-  }
-}
-
-void FrameInputs::add_file(const fs::path& file) {
-  const bool video = !is_image(file);
-  items_.push_back({file, name_of(file), 0, -1, video});
-  if (!video) {
+void FrameInputs::add(const std::string& input) {
+  if (is_live(input)) return add_video(input);
+  if (!fs::exists(input)) throw Error(input + ": no such file or folder");
+  if (!fs::is_directory(input)) {
+    if (!is_image(input)) return add_video(input);
+    items_.push_back({input, name_of(input), 0, -1, false});
     ++count_;
     return;
   }
-  cv::VideoCapture probe(file.string());
-  if (!probe.isOpened())
-    throw Error(file.string() + ": neither an image nor a video that OpenCV reads");
-  count_ += std::max(0, static_cast<int>(probe.get(cv::CAP_PROP_FRAME_COUNT)));
+  const std::size_t before = items_.size();
+  add_scenes(input);
+  if (items_.size() == before) add_folder(input);
+  if (items_.size() == before)
+    throw Error(input + ": no image in it; expected images, or scenes with gray/*.png");
+}
+
+void FrameInputs::add_video(const std::string& source) {
+  items_.push_back({source, is_live(source) ? "live" : name_of(source), 0, -1, true});
+  if (is_live(source)) {
+    endless_ = true;
+    return;
+  }
+  count_ += FrameStream(source).count().value_or(0);
 }
 
 void FrameInputs::add_folder(const fs::path& folder) {
   int id = 0;
-  for (const fs::path& file : sorted_entries(folder)) {
-    if (is_image(file)) items_.push_back({file, name_of(folder), id++, -1, false});
-  }
-  count_ += id;
+  for (const fs::path& file : images_of(folder))
+    items_.push_back({file, name_of(folder), id++, -1, false});
+  count_ += static_cast<std::size_t>(id);
 }
 
 void FrameInputs::add_scenes(const fs::path& folder) {
@@ -125,44 +116,39 @@ void FrameInputs::add_scene(const fs::path& scene) {
 std::optional<InputFrame> FrameInputs::next() {
   while (!items_.empty()) {
     const Item item = items_.front();
-    if (!item.video) items_.pop_front();
     try {
-      std::optional<cv::Mat> image = item.video ? next_of_video() : read_grey(item.path);
-      if (!image) continue;  // the video is over
-      check_size(*image, item.path);
-      return InputFrame{std::move(*image), item.sequence, item.video ? video_frames_ - 1 : item.id,
-                        item.view};
+      std::optional<InputFrame> frame = item.video ? next_of_video(item) : next_image(item);
+      if (frame) return frame;
     } catch (const Error& error) {
       if (!keep_going_) throw;
       std::fprintf(stderr, "trihedron: %s; passed over\n", error.what());
-      if (item.video && !items_.empty() && items_.front().path == item.path) items_.pop_front();
+      if (item.video) end_video();
     }
   }
   return std::nullopt;
 }
 
-std::optional<cv::Mat> FrameInputs::next_of_video() {
-  const fs::path path = items_.front().path;
-  if (!video_.isOpened()) {
-    video_frames_ = 0;
-    if (!video_.open(path.string())) throw Error(path.string() + ": not a video that OpenCV reads");
-  }
-  cv::Mat colour;
-  if (video_.read(colour) && !colour.empty()) {
-    ++video_frames_;
-    cv::Mat grey;
-    if (colour.channels() == 1)
-      grey = colour;
-    else
-      cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
-    return grey;
-  }
-  const int announced = static_cast<int>(video_.get(cv::CAP_PROP_FRAME_COUNT));
-  video_.release();
+std::optional<InputFrame> FrameInputs::next_image(const Item& item) {
   items_.pop_front();
-  if (video_frames_ >= announced) return std::nullopt;
-  throw Error(path.string() + ": the video ends after " + std::to_string(video_frames_) + " of " +
-              std::to_string(announced) + " frames");
+  cv::Mat image = read_grey(item.path);
+  check_size(image, item.path.string());
+  return InputFrame{std::move(image), item.sequence, item.id, item.view};
+}
+
+std::optional<InputFrame> FrameInputs::next_of_video(const Item& item) {
+  if (!video_) video_.emplace(item.path.string());
+  if (!video_->grab()) {
+    end_video();
+    return std::nullopt;
+  }
+  cv::Mat image = video_->retrieve();
+  check_size(image, video_->place());
+  return InputFrame{std::move(image), item.sequence, video_->grabbed() - 1, item.view};
+}
+
+void FrameInputs::end_video() {
+  video_.reset();
+  items_.pop_front();
 }
 
 }  // namespace trihedron::cli

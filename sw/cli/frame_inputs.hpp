@@ -4,11 +4,11 @@
 #include <deque>
 #include <filesystem>
 #include <opencv2/core.hpp>
-#include <opencv2/videoio.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/frame_stream.hpp"
 #include "sim/stimulus.hpp"
 
 namespace trihedron::cli {
@@ -24,8 +24,8 @@ struct InputFrame {
   int view = -1;         ///< the view it belongs to; -1: any
 };
 
-/// The frames of images, folders of images, scenes (folders with gray/), folders of scenes, and
-/// videos, one after the other; only one image is in memory.
+/// The frames of images, folders of images, scenes (folders with gray/), folders of scenes, videos
+/// and cameras (camera:0), one after the other; only one image is in memory.
 class FrameInputs {
  public:
   /// With `keep_going`, unreadable images and videos that end early are reported on stderr and
@@ -36,8 +36,10 @@ class FrameInputs {
   /// ends early, or a frame outside the sizes that this build of the hardware takes.
   std::optional<InputFrame> next();
 
-  /// Frames in all, as far as the files say.
-  int count() const { return count_; }
+  /// Frames in all, as far as the files say; nothing with a live camera.
+  std::optional<std::size_t> count() const {
+    return endless_ ? std::nullopt : std::optional<std::size_t>(count_);
+  }
 
  private:
   struct Item {
@@ -45,21 +47,22 @@ class FrameInputs {
     std::string sequence;
     int id = 0;
     int view = -1;
-    bool video = false;
+    bool video = false;  ///< or a live camera
   };
 
-  void add(const std::filesystem::path& input);
-  void add_file(const std::filesystem::path& file);
+  void add(const std::string& input);
+  void add_video(const std::string& source);
   void add_folder(const std::filesystem::path& folder);
   void add_scenes(const std::filesystem::path& folder);
   void add_scene(const std::filesystem::path& scene);
-  std::optional<cv::Mat> next_of_video();
+  std::optional<InputFrame> next_image(const Item& item);
+  std::optional<InputFrame> next_of_video(const Item& item);
+  void end_video();
 
   std::deque<Item> items_;
-  cv::VideoCapture video_;
-  int video_frames_ = 0;  ///< read so far
-  int count_ = 0;
-  bool keep_going_ = false;
+  std::optional<FrameStream> video_;  ///< the first item, while it is read
+  std::size_t count_ = 0;
+  bool endless_ = false, keep_going_ = false;
 };
 
 }  // namespace trihedron::cli

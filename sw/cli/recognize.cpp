@@ -8,6 +8,8 @@
 #include "cli/commands.hpp"
 #include "cli/paper_tables.hpp"
 #include "cli/recognition_options.hpp"
+#include "cli/recognize_stream.hpp"
+#include "golden/error.hpp"
 #include "io/bop_results.hpp"
 #include "io/file.hpp"
 #include "io/pictures.hpp"
@@ -18,8 +20,9 @@ namespace {
 
 struct Arguments {
   RecognitionArguments recognition;
+  StreamArguments stream;
   std::string scene, out;
-  bool json = false, tables = false;
+  bool json = false, tables = false, quiet = false;
 };
 
 const Model& model_of(const std::vector<Model>& library, int id) {
@@ -62,6 +65,11 @@ void print_result(const Scene& scene, const RecognitionResult& result,
 }
 
 int run(const Arguments& arguments) {
+  if (!arguments.stream.sources.empty())
+    return recognize_stream(arguments.stream, arguments.recognition, arguments.out,
+                            arguments.quiet);
+  if (arguments.scene.empty())
+    throw Error("recognize: SCENE is required; expected the folder of a scene, or --stream");
   const Scene scene = read_scene(arguments.scene);
   const std::vector<Model> library = arguments.recognition.library(arguments.scene);
   if (!arguments.out.empty()) make_folder(arguments.out);
@@ -83,7 +91,7 @@ int run(const Arguments& arguments) {
     fmt::print("{}", report);
   else if (arguments.tables)
     fmt::print("{}", tables);
-  else
+  else if (!arguments.quiet)
     print_result(scene, result, library);
   return result.objects.empty() ? kNothingFound : kDone;
 }
@@ -94,24 +102,30 @@ void add_recognize(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       program.add_subcommand("recognize", "Which objects are in a scene, and where");
-  command
-      ->add_option("SCENE", arguments->scene,
-                   "Folder with scene_camera.json and gray/000000.png ... (BOP layout)")
-      ->required();
+  CLI::Option* scene =
+      command->add_option("SCENE", arguments->scene,
+                          "Folder with scene_camera.json and gray/000000.png ... (BOP layout)");
+  arguments->stream.add_to(*command);
+  command->get_option("--stream")->excludes(scene);
   arguments->recognition.add_to(*command);
   command
       ->add_option("--out", arguments->out,
-                   "Write pictures of every stage and view, results.csv and report.json here")
+                   "Write pictures of every stage and view, results.csv and report.json here; with "
+                   "--stream results.jsonl")
       ->type_name("DIR");
   command->add_flag("--json", arguments->json, "Print the whole report as JSON");
   command->add_flag("--tables", arguments->tables,
                     "Print the source paper's tables 1-6 instead (--method paper)");
+  command->add_flag("--quiet", arguments->quiet, "Print nothing; the exit code and --out tell");
   command->footer(
-      "Example:\n"
+      "Examples:\n"
       "  trihedron recognize testvectors/scenes/studio-two/000034 \\\n"
       "    --models testvectors/models10 --out out/000034\n"
+      "  trihedron recognize --stream top.mp4 side.mp4 front.mp4 \\\n"
+      "    --cameras scene_camera.json --models parts --out out/stream\n"
       "\n"
-      "Exit code 1: no object of the library was found.");
+      "Exit code 1: no object of the library was found. Ctrl-C ends a stream after the frame in\n"
+      "work, writes what was done and returns 130.");
   command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 

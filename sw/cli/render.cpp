@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/progress.hpp"
 #include "golden/error.hpp"
 #include "io/library.hpp"
 #include "render/generate.hpp"
@@ -52,7 +52,7 @@ void run(RenderArguments a) {
   const std::vector<Model> library =
       render::make_variants(read_library(a.models), render::variant_of(a.variant), variants);
   if (!a.write_models.empty()) render::write_library(a.write_models, library);
-  const bool terminal = isatty(STDERR_FILENO) != 0;
+  Progress progress(static_cast<std::size_t>(a.scenes), "scenes");
   for (int i = 0; i < a.scenes; ++i) {
     const std::filesystem::path folder = a.out / fmt::format("{:06}", a.first_id + i);
     const render::RenderedScene scene =
@@ -61,9 +61,9 @@ void run(RenderArguments a) {
             : render::generate_scene(render::read_objects(a.pose_file, a.options.cameras, library),
                                      a.options, a.seed, i);
     render::write_scene(folder, scene);
-    if (terminal) fmt::print(stderr, "\rrendered {} of {} scenes", i + 1, a.scenes);
+    progress.step();
   }
-  if (terminal) fmt::print(stderr, "\n");
+  progress.clear();
   fmt::print("{} scenes in {}\n", a.scenes, a.out.string());
 }
 
@@ -72,8 +72,7 @@ void add_scene_options(CLI::App& command, RenderArguments& a) {
   command.add_option("--scenes", a.scenes, "number of scenes")->check(kPositive);
   command.add_option("--first-id", a.first_id, "number of the first scene's folder");
   command.add_option("--seed", a.seed, "same seed, same scenes");
-  command.add_option("--objects", o.placement.objects, "objects per scene")
-      ->check(kPositive);
+  command.add_option("--objects", o.placement.objects, "objects per scene")->check(kPositive);
   command.add_flag("--stacked", o.placement.stacked, "the second object stands on the first");
   command.add_flag("--leaning", o.placement.leaning, "one object leans against the first");
   command.add_flag("--repeat", o.placement.repeat_models, "a model may occur more than once");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -11,6 +10,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/frame_inputs.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
 #include "golden/error.hpp"
 #include "io/feature_files.hpp"
 #include "io/views.hpp"
@@ -38,19 +39,23 @@ struct Ticket {
 class Job {
  public:
   explicit Job(const Arguments& arguments)
-      : arguments_(arguments), inputs_(arguments.inputs, arguments.keep_going) {}
+      : arguments_(arguments),
+        inputs_(arguments.inputs, arguments.keep_going),
+        progress_(inputs_.count(), "frames", arguments.quiet) {}
 
   int run() {
+    const Interruption interruption;
     const auto start = std::chrono::steady_clock::now();
     const sim::Report report = arguments_.front_end == "rtl" ? simulate() : compute();
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    if (shows_progress()) fmt::print(stderr, "\r\033[K");
+    progress_.clear();
     if (arguments_.json)
       print_json(report, time.count());
     else
       print_summary(report, time.count());
     if (report.mismatch) fmt::print(stderr, "trihedron: {}\n", report.mismatch->text());
     if (report.mismatch || (arguments_.check && !report.passed())) return kNothingFound;
+    if (Interruption::requested()) return Interruption::exit_code();
     return done_ > 0 ? kDone : kNothingFound;
   }
 
@@ -81,6 +86,7 @@ class Job {
 
   std::optional<InputFrame> next() {
     if (arguments_.limit > 0 && started_ == arguments_.limit) return std::nullopt;
+    if (Interruption::requested()) return std::nullopt;  // what is in the pipeline still comes out
     std::optional<InputFrame> frame = inputs_.next();
     started_ += frame.has_value();
     return frame;
@@ -111,13 +117,13 @@ class Job {
     contour_pixels_ += contour;
     vertices_ += features.vertices.size();
     if (!arguments_.quiet && !arguments_.json) {
-      if (shows_progress()) fmt::print(stderr, "\r\033[K");
+      progress_.clear();
       fmt::print("{}/{:06} {}x{} px: {} contour px, {} vertices, {} lost{}\n", ticket.sequence,
                  ticket.id, features.width, features.height, contour, features.vertices.size(),
                  features.vertices_lost,
                  latency > 0 ? fmt::format(", latency {} clocks", latency) : "");
     }
-    if (shows_progress()) fmt::print(stderr, "\r{}/{} frames", done_, inputs_.count());
+    progress_.step();
   }
 
   void print_summary(const sim::Report& report, double seconds) const {
@@ -171,10 +177,9 @@ class Job {
     std::uint64_t pixels = 0, stalls = 0, idles = 0, latency = 0;
   };
 
-  static bool shows_progress() { return isatty(STDERR_FILENO) != 0; }
-
   const Arguments& arguments_;
   FrameInputs inputs_;
+  Progress progress_;
   std::array<std::deque<InputFrame>, sim::kViews> waiting_;
   std::array<std::deque<Ticket>, sim::kViews> in_flight_;
   int started_ = 0, done_ = 0;
@@ -182,7 +187,8 @@ class Job {
 };
 
 void add_options(CLI::App& command, Arguments& arguments) {
-  command.add_option("INPUT", arguments.inputs, "Images, folders of images, scenes, videos")
+  command
+      .add_option("INPUT", arguments.inputs, "Images, folders of images, scenes, videos, camera:0")
       ->required();
   command
       .add_option("--out", arguments.out, "Write SCENE/000000.png (contour) and .csv (vertices)")

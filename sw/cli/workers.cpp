@@ -12,6 +12,7 @@
 #include <cstring>
 #include <exception>
 
+#include "cli/progress.hpp"
 #include "golden/error.hpp"
 
 namespace trihedron::cli {
@@ -27,24 +28,6 @@ struct Header {
 struct Answer {
   bool done = false, failed = false;
   std::string text;
-};
-
-class Progress {
- public:
-  Progress(std::size_t count, std::string what)
-      : count_(count), what_(std::move(what)), shown_(isatty(STDERR_FILENO) != 0) {}
-  void step() {
-    ++done_;
-    if (shown_) std::fprintf(stderr, "\r%zu/%zu %s", done_, count_, what_.c_str());
-  }
-  ~Progress() {
-    if (shown_) std::fprintf(stderr, "\r\033[K");
-  }
-
- private:
-  std::size_t count_, done_ = 0;
-  std::string what_;
-  bool shown_;
 };
 
 Answer answer_of(std::size_t item, const std::function<std::string(std::size_t)>& work) {

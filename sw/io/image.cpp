@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/image.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdint>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
@@ -13,6 +10,7 @@
 #include "golden/front_end.hpp"
 #include "golden/plane.hpp"
 #include "io/file.hpp"
+#include "io/quiet_decoders.hpp"
 
 namespace trihedron {
 namespace {
@@ -21,27 +19,6 @@ namespace {
 bool is_cut_png(const std::string& bytes) {
   return bytes.compare(1, 3, "PNG") == 0 && bytes.find("IEND", bytes.size() - 12) == bytes.npos;
 }
-
-/// Keeps libpng's and libjpeg's own lines off standard error: the caller reports in one line.
-class QuietDecoders {
- public:
-  QuietDecoders() : kept_(dup(STDERR_FILENO)) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    if (nowhere < 0) return;
-    dup2(nowhere, STDERR_FILENO);
-    close(nowhere);
-  }
-  ~QuietDecoders() {
-    if (kept_ < 0) return;
-    dup2(kept_, STDERR_FILENO);
-    close(kept_);
-  }
-  QuietDecoders(const QuietDecoders&) = delete;
-  QuietDecoders& operator=(const QuietDecoders&) = delete;
-
- private:
-  int kept_;
-};
 
 }  // namespace
 

@@ -14,9 +14,7 @@ namespace trihedron {
 
 using nlohmann::json;
 
-void JsonField::fail(const std::string& what) const {
-  throw Error(file_ + ": " + (field_.empty() ? "" : field_ + ": ") + what);
-}
+void JsonField::fail(const std::string& what) const { throw Error(place() + ": " + what); }
 
 JsonField JsonField::operator[](const std::string& key) const {
   const std::string path = field_.empty() ? key : field_ + "." + key;

@@ -25,7 +25,10 @@ class JsonField {
   std::string text() const;
   std::vector<double> numbers(std::size_t count) const;  ///< a list of `count` finite numbers
 
-  /// Throws Error: file, this field, `what` ("expected ...").
+  /// "scene_camera.json: 0.cam_K", for messages.
+  std::string place() const { return field_.empty() ? file_ : file_ + ": " + field_; }
+
+  /// Throws Error: place(), `what` ("expected ...").
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

@@ -24,20 +24,6 @@ std::optional<int> parse_id(const std::string& text) {
   return id;
 }
 
-/// The keys of a file whose keys are view numbers, ascending.
-std::vector<int> view_ids(const JsonField& root) {
-  std::vector<int> ids;
-  for (const std::string& key : root.keys()) {
-    const auto id = parse_id(key);
-    if (!id) root.fail("\"" + key + "\" is not a view number; expected \"0\", \"1\", \"2\" ...");
-    ids.push_back(*id);
-  }
-  std::sort(ids.begin(), ids.end());
-  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end())
-    root.fail("a view number occurs twice");
-  return ids;
-}
-
 fs::path image_file(const fs::path& folder, int im_id) {
   const std::string stem = fmt::format("{:06d}", im_id);
   for (const char* sub : {"gray", "rgb"})
@@ -46,41 +32,34 @@ fs::path image_file(const fs::path& folder, int im_id) {
   return folder / "gray" / (stem + ".png");  // names what was expected
 }
 
-void check_equal_sizes(const Scene& scene, const JsonField& cameras,
-                       const std::vector<bool>& size_given) {
+void check_equal_sizes(const Scene& scene, const std::vector<ViewCamera>& views) {
   const cv::Size first = scene.images[0].size();
+  const auto says_size = [](const ViewCamera& view) {
+    return view.camera.width_px != 0 && view.camera.height_px != 0;
+  };
   for (std::size_t v = 1; v < scene.images.size(); ++v) {
-    if (scene.images[v].size() == first || (size_given[0] && size_given[v])) continue;
-    cameras[std::to_string(scene.im_ids[v])].fail(fmt::format(
-        "its image is {} x {} px, but that of view {} is {} x {} px; expected equal sizes, or "
+    if (scene.images[v].size() == first || (says_size(views[0]) && says_size(views[v]))) continue;
+    throw Error(fmt::format(
+        "{}: its image is {} x {} px, but that of view {} is {} x {} px; expected equal sizes, or "
         "width and height in both entries",
-        scene.images[v].cols, scene.images[v].rows, scene.im_ids[0], first.width, first.height));
+        views[v].place, scene.images[v].cols, scene.images[v].rows, views[0].im_id, first.width,
+        first.height));
   }
 }
 
 void read_views(const fs::path& folder, Scene& scene) {
-  const fs::path file = folder / "scene_camera.json";
-  const nlohmann::json document = read_json(file);
-  const JsonField root(document, file.string());
-  scene.im_ids = view_ids(root);
-  if (scene.im_ids.size() < 2)
-    root.fail(fmt::format("holds {} views; expected at least 2", scene.im_ids.size()));
-  constexpr const char* kNames[] = {"top", "side", "front"};
-  std::vector<bool> size_given;
-  for (int im_id : scene.im_ids) {
-    const JsonField entry = root[std::to_string(im_id)];
-    Camera camera = parse_camera(entry);
-    if (camera.view.empty()) camera.view = im_id < 3 ? kNames[im_id] : std::to_string(im_id);
-    const fs::path image = image_file(folder, im_id);
+  const std::vector<ViewCamera> views = read_cameras(folder / "scene_camera.json");
+  for (const ViewCamera& view : views) {
+    const fs::path image = image_file(folder, view.im_id);
     scene.images.push_back(read_grey(image));
     const cv::Size size = scene.images.back().size();
-    check_image_size(camera, entry, image.string(), size.width, size.height);
-    size_given.push_back(camera.width_px != 0 && camera.height_px != 0);
-    camera.width_px = size.width;
-    camera.height_px = size.height;
-    scene.cameras.push_back(camera);
+    check_image_size(view.camera, view.place, image.string(), size.width, size.height);
+    scene.im_ids.push_back(view.im_id);
+    scene.cameras.push_back(view.camera);
+    scene.cameras.back().width_px = size.width;
+    scene.cameras.back().height_px = size.height;
   }
-  check_equal_sizes(scene, root, size_given);
+  check_equal_sizes(scene, views);
 }
 
 void read_truth(const fs::path& folder, Scene& scene) {

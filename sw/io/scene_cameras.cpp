@@ -6,6 +6,10 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <charconv>
+
+#include "golden/error.hpp"
+#include "io/file.hpp"
 
 namespace trihedron {
 namespace {
@@ -70,20 +74,82 @@ Camera parse_camera(const JsonField& entry) {
   return camera;
 }
 
-void check_image_size(const Camera& camera, const JsonField& entry, const std::string& image_name,
+void check_image_size(const Camera& camera, const std::string& place, const std::string& image_name,
                       int width_px, int height_px) {
   if ((camera.width_px != 0 && camera.width_px != width_px) ||
       (camera.height_px != 0 && camera.height_px != height_px))
-    entry.fail(fmt::format("width and height say {} x {} px, but {} is {} x {} px", camera.width_px,
-                           camera.height_px, image_name, width_px, height_px));
+    throw Error(fmt::format("{}: width and height say {} x {} px, but {} is {} x {} px", place,
+                            camera.width_px, camera.height_px, image_name, width_px, height_px));
   if (camera.projection == Camera::Projection::kOrthographic) return;
   const double x = (camera.K(0, 2) + 0.5) / width_px, y = (camera.K(1, 2) + 0.5) / height_px;
   constexpr double kBorder = 0.05;  // no camera looks past the border of its own image
   if (std::min({x, y, 1 - x, 1 - y}) >= kBorder) return;
-  entry["cam_K"].fail(fmt::format(
-      "the principal point ({:g}, {:g}) is not within {}, which is {} x {} px; expected the image "
-      "in the size it was calibrated for",
-      camera.K(0, 2), camera.K(1, 2), image_name, width_px, height_px));
+  throw Error(fmt::format(
+      "{}.cam_K: the principal point ({:g}, {:g}) is not within {}, which is {} x {} px; expected "
+      "the image in the size it was calibrated for",
+      place, camera.K(0, 2), camera.K(1, 2), image_name, width_px, height_px));
+}
+
+std::vector<int> view_numbers(const JsonField& root) {
+  std::vector<int> ids;
+  for (const std::string& key : root.keys()) {
+    int id = -1;
+    const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), id);
+    if (error != std::errc() || end != key.data() + key.size() || id < 0)
+      root.fail("\"" + key + "\" is not a view number; expected \"0\", \"1\", \"2\" ...");
+    ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  if (std::adjacent_find(ids.begin(), ids.end()) != ids.end())
+    root.fail("a view number occurs twice");
+  return ids;
+}
+
+std::vector<ViewCamera> read_cameras(const std::filesystem::path& file) {
+  const nlohmann::json document = read_json(file);
+  const JsonField root(document, file.string());
+  const std::vector<int> im_ids = view_numbers(root);
+  if (im_ids.size() < 2)
+    root.fail(fmt::format("holds {} views; expected at least 2", im_ids.size()));
+  constexpr const char* kNames[] = {"top", "side", "front"};
+  std::vector<ViewCamera> views;
+  for (int im_id : im_ids) {
+    const JsonField entry = root[std::to_string(im_id)];
+    views.push_back({im_id, parse_camera(entry), entry.place()});
+    std::string& name = views.back().camera.view;
+    if (name.empty()) name = im_id < 3 ? kNames[im_id] : std::to_string(im_id);
+  }
+  return views;
+}
+
+nlohmann::ordered_json camera_json(const Camera& camera) {
+  const auto row_major = [](const Matrix3d& m) {
+    std::vector<double> out;
+    for (int i = 0; i < 9; ++i) out.push_back(m(i / 3, i % 3));
+    return out;
+  };
+  const Eigen::Vector3d& t = camera.camera_from_world.t;
+  nlohmann::ordered_json entry{{"cam_K", row_major(camera.K)},
+                               {"cam_R_w2c", row_major(camera.camera_from_world.R)},
+                               {"cam_t_w2c", {t.x(), t.y(), t.z()}},
+                               {"depth_scale", 1.0},
+                               {"view", camera.view},
+                               {"width", camera.width_px},
+                               {"height", camera.height_px}};
+  if (camera.projection == Camera::Projection::kOrthographic) {
+    entry["cam_model"] = "orthographic";
+    entry["px_per_mm"] = camera.px_per_mm;
+  }
+  const auto& lens = camera.distortion;
+  if (std::any_of(lens.begin(), lens.end(), [](double k) { return k != 0; }))
+    entry["cam_dist"] = lens;
+  return entry;
+}
+
+void write_cameras(const std::filesystem::path& file, const std::vector<Camera>& cameras) {
+  nlohmann::ordered_json out;
+  for (std::size_t v = 0; v < cameras.size(); ++v) out[std::to_string(v)] = camera_json(cameras[v]);
+  write_whole(file, out.dump(1) + "\n");
 }
 
 }  // namespace trihedron

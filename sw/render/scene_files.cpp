@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "golden/error.hpp"
 #include "io/file.hpp"
+#include "io/image.hpp"
 #include "io/json_field.hpp"
 #include "io/scene_cameras.hpp"
 
@@ -26,23 +26,6 @@ json row_major(const Eigen::Matrix3d& m) {
 }
 
 json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-json camera_entry(const Camera& camera) {
-  json entry{{"cam_K", row_major(camera.K)},
-             {"cam_R_w2c", row_major(camera.camera_from_world.R)},
-             {"cam_t_w2c", numbers(camera.camera_from_world.t)},
-             {"depth_scale", 1.0},
-             {"view", camera.view},
-             {"width", camera.width_px},
-             {"height", camera.height_px}};
-  if (camera.projection == Camera::Projection::kOrthographic) {
-    entry["cam_model"] = "orthographic";
-    entry["px_per_mm"] = camera.px_per_mm;
-  }
-  const auto& d = camera.distortion;
-  if (std::any_of(d.begin(), d.end(), [](double k) { return k != 0; })) entry["cam_dist"] = d;
-  return entry;
-}
 
 json object_entry(const PlacedObject& object, const Camera& camera) {
   const Transform camera_from_model = camera.camera_from_world * object.world_from_model;
@@ -63,38 +46,20 @@ json surface_table(const World& world) {
   return table;
 }
 
-void write_image(const std::filesystem::path& file, const cv::Mat& image) {
-  if (!cv::imwrite(file.string(), image))
-    throw Error(file.string() + ": cannot be written; is the disk full or the folder read-only?");
-}
-
-// The view numbers of a BOP file, ascending.
-std::vector<int> view_numbers(const JsonField& root) {
-  std::vector<int> views;
-  for (const std::string& key : root.keys()) {
-    if (key.empty() || key.size() > 6 || key.find_first_not_of("0123456789") != std::string::npos)
-      root.fail("\"" + key + "\" is not a view number; expected \"0\", \"1\", \"2\" ...");
-    views.push_back(std::stoi(key));
-  }
-  std::sort(views.begin(), views.end());
-  if (views.empty()) root.fail("expected views \"0\", \"1\", \"2\" ...");
-  return views;
-}
-
 // The size that puts the principal point into the middle, for files that give none.
 int middle_size(double principal_px) { return static_cast<int>(std::lround(2 * principal_px)) + 1; }
 
 }  // namespace
 
 void write_scene(const std::filesystem::path& folder, const RenderedScene& scene) {
+  std::filesystem::remove(folder / "scene_camera.json");  // no mixture of two scenes if interrupted
   make_folder(folder / "gray");
   make_folder(folder / "surfaces");
-  json cameras, truth, info;
+  json truth, info;
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
     const std::string key = std::to_string(v), name = fmt::format("{:06}.png", v);
-    write_image(folder / "gray" / name, scene.views[v].gray);
-    write_image(folder / "surfaces" / name, scene.views[v].surfaces);
-    cameras[key] = camera_entry(scene.reported_cameras[v]);
+    write_png(folder / "gray" / name, scene.views[v].gray);
+    write_png(folder / "surfaces" / name, scene.views[v].surfaces);
     truth[key] = info[key] = json::array();
     for (std::size_t o = 0; o < scene.world.objects.size(); ++o) {
       truth[key].push_back(object_entry(scene.world.objects[o], scene.cameras[v]));
@@ -106,24 +71,22 @@ void write_scene(const std::filesystem::path& folder, const RenderedScene& scene
                   {"objects", scene.world.objects.size()},
                   {"stacked", scene.stacked ? 1 : 0},
                   {"leaning", scene.leaning ? 1 : 0}};
-  write_whole(folder / "scene_camera.json", cameras.dump(1));
   write_whole(folder / "scene_gt.json", truth.dump(1));
   write_whole(folder / "scene_gt_info.json", info.dump(1));
   write_whole(folder / "scene_kind.json", kind.dump());
   write_whole(folder / "surface_table.json", surface_table(scene.world).dump(1));
+  // Last: a folder is a scene once it has this file, and then it is a whole one.
+  write_cameras(folder / "scene_camera.json", scene.reported_cameras);
 }
 
 std::vector<Camera> read_cameras(const std::filesystem::path& file) {
-  const json document = read_json(file);
-  const JsonField root(document, file.string());
   std::vector<Camera> cameras;
-  for (int view : view_numbers(root)) {
-    Camera camera = parse_camera(root[std::to_string(view)]);
+  for (const ViewCamera& view : trihedron::read_cameras(file)) {
+    cameras.push_back(view.camera);
+    Camera& camera = cameras.back();
     if (camera.width_px == 0) camera.width_px = middle_size(camera.K(0, 2));
     if (camera.height_px == 0) camera.height_px = middle_size(camera.K(1, 2));
-    cameras.push_back(camera);
   }
-  if (cameras.size() < 2) root.fail("expected the cameras of two views or more");
   return cameras;
 }
 
@@ -132,8 +95,10 @@ std::vector<PlacedObject> read_objects(const std::filesystem::path& file,
                                        const std::vector<Model>& library) {
   const json document = read_json(file);
   const JsonField root(document, file.string());
+  const std::vector<int> views = view_numbers(root);
+  if (views.empty()) root.fail("holds no view; expected \"0\", \"1\", \"2\" ...");
   std::vector<PlacedObject> objects;
-  for (const JsonField& entry : root[std::to_string(view_numbers(root).front())].items()) {
+  for (const JsonField& entry : root[std::to_string(views.front())].items()) {
     const int id = entry["obj_id"].integer();
     const auto model =
         std::find_if(library.begin(), library.end(), [id](const Model& m) { return m.id == id; });
