@@ -11,10 +11,13 @@ namespace trihedron::sim {
 /// Call present() before the pins settle and accept() after.
 class AxiLiteMaster {
  public:
+  static constexpr unsigned kAllBytes = 15;
+
   AxiLiteMaster(const StallProfile& stalls, std::uint64_t seed) : stall_(stalls, seed) {}
 
-  void start(bool write, std::uint32_t address, std::uint32_t data) {
+  void start(bool write, std::uint32_t address, std::uint32_t data, unsigned strobe = kAllBytes) {
     write_ = write;
+    strobe_ = strobe;
     address_ = address;
     data_ = data;
     address_due_ = response_due_ = true;
@@ -36,7 +39,7 @@ class AxiLiteMaster {
     top.s_axil_awaddr = top.s_axil_araddr = address_;
     top.s_axil_wvalid = data_valid_;
     top.s_axil_wdata = data_;
-    top.s_axil_wstrb = 15;
+    top.s_axil_wstrb = strobe_;
     top.s_axil_bready = write_ && response_ready_;
     top.s_axil_rready = !write_ && response_ready_;
   }
@@ -59,6 +62,7 @@ class AxiLiteMaster {
  private:
   Stall stall_;
   bool write_ = false;
+  unsigned strobe_ = kAllBytes;
   std::uint32_t address_ = 0;
   std::uint32_t data_ = 0;
   unsigned response_ = 0;

@@ -44,8 +44,8 @@ void GuardModel::pixels(const std::uint8_t* first, const std::uint8_t* last, boo
 }
 
 void GuardModel::start(std::vector<ExpectedFrame>& done) {
-  early_pixel_ = active_ && (!line_.empty() || frame_height_ != 0);
-  if (early_pixel_) note(kEarlyStartEvent);
+  const std::uint32_t errors_before = errors_;
+  if (active_ && (!line_.empty() || frame_height_ != 0)) note(kEarlyStartEvent);
   if (active_) {
     const bool in_line = !line_.empty();
     if (begun_) {
@@ -55,7 +55,11 @@ void GuardModel::start(std::vector<ExpectedFrame>& done) {
                 done);
     }
   }
-  active_ = quiet_ = true;
+  const Settings& settings = settings_.at(std::min(changes_, settings_.size() - 1));
+  frame_height_ = settings.frame_height;
+  start_counted_ = errors_ != errors_before;
+  active_ = settings.enabled;
+  quiet_ = true;
   begun_ = false;
   line_.clear();
   frame_ = ExpectedFrame{};
@@ -71,7 +75,7 @@ void GuardModel::end_line(std::vector<ExpectedFrame>& done) {
     return end_frame(too_tall() ? FrameEnd::kBadHeight : FrameEnd::kBadLine, done);
   }
   if (!begun_ && width < kMinSizePx) {
-    note(kTooNarrowEvent, width > 1 || !early_pixel_);
+    note(kTooNarrowEvent, width > 1 || !start_counted_);
     active_ = false;
     line_.clear();
     return;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/stimulus.hpp"
@@ -45,9 +46,16 @@ struct ExpectedFrame {
 /// than the flush timeout.
 class GuardModel {
  public:
-  /// `frame_height` lines end a frame; if 0, `flush_timeout` idle clocks do.
-  explicit GuardModel(int frame_height = 0, int flush_timeout = 0)
-      : frame_height_(frame_height), flush_timeout_(flush_timeout) {}
+  /// What registers say about a view's frames that start from now on.
+  struct Settings {
+    int frame_height = 0;  ///< lines that end a frame; if 0, idle clocks do
+    bool enabled = true;
+  };
+
+  /// `settings` at first, after the first line that holds, after the second, ...; a frame of
+  /// unknown height is ended by `flush_timeout` idle clocks.
+  explicit GuardModel(std::vector<Settings> settings = {{}}, int flush_timeout = 0)
+      : settings_(std::move(settings)), flush_timeout_(flush_timeout) {}
 
   /// The stream goes on with `line`. Appends the frames that this ended to `done`.
   void feed(const WireLine& line, std::vector<ExpectedFrame>& done);
@@ -71,8 +79,9 @@ class GuardModel {
   FrameEnd clean_end() const;
   bool too_tall() const { return frame_.image.height == kMaxHeightPx; }
 
-  int frame_height_;
+  std::vector<Settings> settings_;
   int flush_timeout_;
+  int frame_height_ = 0;  ///< of the frame that started last
   // Between a start of frame and the frame's end or first fault: active. Its first line was good:
   // begun. The rest of a faulty frame is dropped without further notice: quiet.
   bool active_ = false;
@@ -82,7 +91,7 @@ class GuardModel {
   ExpectedFrame frame_;
   std::size_t starts_ = 0;
   std::size_t changes_ = 0;
-  bool early_pixel_ = false;  ///< the last start of frame was early
+  bool start_counted_ = false;  ///< the last start of frame brought an event
   std::uint32_t event_kinds_ = 0;
   std::uint32_t errors_ = 0;
 };

@@ -115,6 +115,44 @@ GreyImage stripes(int width, int height, Random& random) {
   });
 }
 
+/// Signs of the four derivative masks (golden/gradient.hpp); zeros are drawn at random.
+using Signs = std::array<std::array<int, 5>, 5>;
+constexpr Signs kAlongX = {{{-1, -1, 0, 1, 1},
+                            {-1, -1, 0, 1, 1},
+                            {-1, -1, 0, 1, 1},
+                            {-1, -1, 0, 1, 1},
+                            {-1, -1, 0, 1, 1}}};
+constexpr Signs kDiagonal = {{{-1, -1, -1, -1, 0},
+                              {-1, -1, -1, 0, 1},
+                              {-1, -1, 0, 1, 1},
+                              {-1, 0, 1, 1, 1},
+                              {0, 1, 1, 1, 1}}};
+
+// Windows of random mask, sign and place on a ground of one level or of noise.
+GreyImage extremes(int width, int height, Random& random) {
+  const int ground = random.between(0, 255);
+  const bool noisy = random.chance(0.3);
+  GreyImage image = paint(
+      width, height, [&](int, int) { return clamp_grey(noisy ? random.between(0, 255) : ground); });
+  for (int window = 1 + width * height / 60; window > 0; --window) {
+    const Signs& signs = random.chance(0.5) ? kAlongX : kDiagonal;
+    const bool turned = random.chance(0.5);
+    const int sign = random.chance(0.5) ? 1 : -1;
+    const int left = random.between(0, width - 5), top = random.between(0, height - 5);
+    for (std::size_t y = 0; y < 5; ++y) {
+      for (std::size_t x = 0; x < 5; ++x) {
+        // Transposed along x becomes along y; the diagonal mirrored is the other diagonal.
+        const int s = sign * (&signs == &kAlongX ? (turned ? signs[x][y] : signs[y][x])
+                                                 : signs[y][turned ? 4 - x : x]);
+        const auto at = (static_cast<std::size_t>(top) + y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(left) + x;
+        image.pixels[at] = s == 0 ? clamp_grey(random.between(0, 255)) : s > 0 ? 255 : 0;
+      }
+    }
+  }
+  return image;
+}
+
 }  // namespace
 
 GreyImage make_image(Pattern pattern, int width, int height, Random& random,
@@ -143,6 +181,8 @@ GreyImage make_image(Pattern pattern, int width, int height, Random& random,
       return crop(width, height, random,
                   pictures[static_cast<std::size_t>(
                       random.between(0, static_cast<int>(pictures.size()) - 1))]);
+    case Pattern::kExtremes:
+      return extremes(width, height, random);
     case Pattern::kPolygons:
       break;
   }

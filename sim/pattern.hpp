@@ -18,8 +18,9 @@ enum class Pattern {
   kRamp,          ///< constant slope of any direction
   kStripes,       ///< bars of 1 to 4 px, 0 and 255: largest alternating sums
   kPicture,       ///< a random crop of a real picture
+  kExtremes,      ///< windows that drive a derivative mask to its largest or smallest sum
 };
-inline constexpr int kPatterns = 10;
+inline constexpr int kPatterns = 11;
 
 /// A `width` x `height` px image of one kind. kPicture crops one of `pictures` (mirrored at its
 /// borders where it is too small) and is kPolygons when there are none.

@@ -3,6 +3,8 @@
 
 #include <deque>
 
+#include "sim/prelude.hpp"
+
 namespace trihedron::sim {
 namespace {
 
@@ -10,6 +12,8 @@ namespace {
 // hand-over of a few lines cost less than 1 % of simulating so many clocks.
 constexpr int kBurstClocks = 1024;
 constexpr int kResetClocks = 8;
+// A register access ends within a few clocks and the master's own stalls (bursts of 64).
+constexpr std::uint64_t kAnswerClocks = 16384;
 const sc_core::sc_time kClockPeriod(10, sc_core::SC_NS);
 
 // Independent random streams for each stalling agent of a run.
@@ -21,7 +25,7 @@ std::uint64_t agent_seed(std::uint64_t seed, int agent) {
 
 struct PinBench::Pins {
   explicit Pins(const RunOptions& options)
-      : device(options.trace_file),
+      : device(options.trace_file, options.code_coverage_file),
         drivers{driver(options, 0), driver(options, 1), driver(options, 2)},
         monitors{monitor(options, 0), monitor(options, 1), monitor(options, 2)},
         vertex_monitor(options.vertex_stalls, agent_seed(options.seed, 32)),
@@ -57,6 +61,19 @@ void PinBench::begin(const RunOptions& options) {
   violation_.reset();
   clocks_ = last_transfer_ = 0;
   sources_open_ = false;
+  tracing_ = !options.trace_file.empty();
+  trace_from_clock_ = options.trace_from_clock;
+  pins_->device.record(trace_from_clock_ == 0);
+  reset();
+  if (options.prelude_clocks > 0) {
+    play_prelude(pins_->device, agent_seed(options.seed, 34), options.prelude_clocks);
+    reset();
+  }
+  running_ = true;
+  begin_.notify();
+}
+
+void PinBench::reset() {
   Vtrihedron_top& top = pins_->device.pins();
   top.rst_ni = 0;
   for (int clock = 0; clock < kResetClocks; ++clock) {
@@ -64,8 +81,6 @@ void PinBench::begin(const RunOptions& options) {
     pins_->device.tick();
   }
   top.rst_ni = 1;
-  running_ = true;
-  begin_.notify();
 }
 
 void PinBench::end() {
@@ -106,10 +121,13 @@ int PinBench::burst() {
 }
 
 void PinBench::clock() {
+  Device& device = pins_->device;
+  if (tracing_) device.record(clocks_ >= trace_from_clock_);
   drive();
-  pins_->device.settle();
+  device.settle();
   sample();
-  pins_->device.tick();
+  device.tick();
+  if (device.failed()) violate(0, "RTL assertion", "it to hold (its text is printed above)");
   ++clocks_;
 }
 
@@ -227,9 +245,15 @@ void PinBench::violate(int view, const char* stage, const char* rule) {
   violation_->clock = clocks_;
 }
 
-std::uint32_t PinBench::access(bool write, std::uint32_t address, std::uint32_t data) {
-  pins_->registers.start(write, address, data);
-  wait(access_done_);
+std::uint32_t PinBench::access(bool write, std::uint32_t address, std::uint32_t data,
+                               unsigned strobe) {
+  if (violation_) return 0;
+  const std::uint64_t start = clocks_;
+  pins_->registers.start(write, address, data, strobe);
+  while (pins_->registers.busy() && !violation_) {
+    wait(access_done_ | burst_done_);
+    if (clocks_ - start > kAnswerClocks) violate(0, "register access", "an answer");
+  }
   return pins_->registers.data();
 }
 

@@ -41,8 +41,11 @@ class PinBench : public sc_core::sc_module {
   void end();
 
   /// Register accesses; they take clocks and block the calling SystemC process.
-  std::uint32_t read_register(std::uint32_t address) { return access(false, address, 0); }
-  void write_register(std::uint32_t address, std::uint32_t data) { access(true, address, data); }
+  std::uint32_t read_register(std::uint32_t address) { return access(false, address, 0, 0); }
+  void write_register(std::uint32_t address, std::uint32_t data,
+                      unsigned strobe = AxiLiteMaster::kAllBytes) {
+    access(true, address, data, strobe);
+  }
 
   const sc_core::sc_event& burst_done() const { return burst_done_; }
   std::uint64_t clocks() const { return clocks_; }
@@ -61,6 +64,7 @@ class PinBench : public sc_core::sc_module {
  private:
   struct Pins;  // all pin-level agents of one run
 
+  void reset();
   void run();
   int burst();
   void clock();
@@ -69,7 +73,7 @@ class PinBench : public sc_core::sc_module {
   void exchange();
   bool starving() const;
   void violate(int view, const char* stage, const char* rule);
-  std::uint32_t access(bool write, std::uint32_t address, std::uint32_t data);
+  std::uint32_t access(bool write, std::uint32_t address, std::uint32_t data, unsigned strobe);
 
   std::unique_ptr<Pins> pins_;
   sc_core::sc_event begin_, wake_, burst_done_, access_done_;
@@ -78,6 +82,8 @@ class PinBench : public sc_core::sc_module {
   bool idle_ = true;
   bool sources_open_ = false;
   bool host_needed_ = false;
+  bool tracing_ = false;
+  std::uint64_t trace_from_clock_ = 0;
   std::uint64_t clocks_ = 0;
   std::uint64_t last_transfer_ = 0;
 };

@@ -11,12 +11,10 @@ namespace {
 
 std::uint32_t value(int number) { return static_cast<std::uint32_t>(number); }
 
-}  // namespace
-
-std::vector<RegisterValue> threshold_settings(const ThresholdChange& change) {
-  const golden::FrontEndConfig& thresholds = change.thresholds;
+std::vector<RegisterValue> threshold_settings(const golden::FrontEndConfig& thresholds,
+                                              int vertex_limit) {
   return {
-      {"VERTEX_LIMIT", registers::kVertexLimit, value(change.vertex_limit)},
+      {"VERTEX_LIMIT", registers::kVertexLimit, value(vertex_limit)},
       {"NOISE_FLOOR", registers::kNoiseFloor, value(thresholds.first_contour.noise_floor)},
       {"MEAN_LIMIT", registers::kMeanLimit, value(thresholds.first_contour.mean_limit)},
       {"SUPPORT", registers::kSupport, value(thresholds.second_contour.support)},
@@ -25,9 +23,22 @@ std::vector<RegisterValue> threshold_settings(const ThresholdChange& change) {
   };
 }
 
+}  // namespace
+
+std::vector<RegisterValue> change_settings(const SettingsChange& change) {
+  std::vector<RegisterValue> settings = threshold_settings(change.thresholds, change.vertex_limit);
+  settings.push_back({"FRAME_HEIGHT", registers::kFrameHeight, value(change.frame_height)});
+  // A hold comes before what it holds, a release after it.
+  settings.insert(
+      change.held ? settings.begin() : settings.end(),
+      {"CONTROL", registers::kControl,
+       registers::kControlEnable.put(change.enabled) | registers::kControlHold.put(change.held)});
+  return settings;
+}
+
 std::vector<RegisterValue> run_settings(const RunOptions& options) {
   std::vector<RegisterValue> settings =
-      threshold_settings({options.thresholds, options.vertex_limit});
+      threshold_settings(options.thresholds, options.vertex_limit);
   settings.push_back({"FRAME_HEIGHT", registers::kFrameHeight, value(options.frame_height)});
   settings.push_back({"FLUSH_TIMEOUT", registers::kFlushTimeout, value(options.flush_timeout)});
   return settings;
@@ -35,7 +46,7 @@ std::vector<RegisterValue> run_settings(const RunOptions& options) {
 
 std::vector<RegisterValue> final_values(const RunOptions& options, const Report& report) {
   std::vector<RegisterValue> values =
-      options.changes.empty() ? run_settings(options) : threshold_settings(options.changes.back());
+      options.changes.empty() ? run_settings(options) : change_settings(options.changes.back());
   values.push_back({"ID", registers::kId, registers::kIdId.reset});
   for (std::size_t view = 0; view < kViews; ++view) {
     const ViewStatistics& count = report.views[view];
@@ -45,7 +56,6 @@ std::vector<RegisterValue> final_values(const RunOptions& options, const Report&
                         address + registers::kViewStride * static_cast<std::uint32_t>(view),
                         static_cast<std::uint32_t>(value)});
     };
-    add("STATUS", registers::kStatus, count.stream_error_kinds | (count.vertices_lost != 0) << 8);
     add("FRAMES", registers::kFrames, count.frames);
     add("VERTICES", registers::kVertices, count.vertices);
     add("LOST", registers::kLost, count.vertices_lost);
@@ -53,6 +63,12 @@ std::vector<RegisterValue> final_values(const RunOptions& options, const Report&
     add("LAST_FRAME", registers::kLastFrame, count.last_vertices | count.last_vertices_lost << 16);
   }
   return values;
+}
+
+RegisterValue status_value(int view, const ViewStatistics& count) {
+  return {"STATUS of view " + std::to_string(view),
+          registers::kStatus + registers::kViewStride * static_cast<std::uint32_t>(view),
+          count.stream_error_kinds | registers::kStatusVerticesLost.put(count.vertices_lost != 0)};
 }
 
 }  // namespace trihedron::sim

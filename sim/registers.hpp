@@ -17,12 +17,15 @@ struct RegisterValue {
 };
 
 /// What puts `change` in force.
-std::vector<RegisterValue> threshold_settings(const ThresholdChange& change);
+std::vector<RegisterValue> change_settings(const SettingsChange& change);
 
-/// What a run writes before the first pixel: thresholds and frame height.
+/// What a run writes before the first pixel.
 std::vector<RegisterValue> run_settings(const RunOptions& options);
 
-/// What the counters and the status must read after a run without a mismatch.
+/// What settings and counters must read after a run without a mismatch.
 std::vector<RegisterValue> final_values(const RunOptions& options, const Report& report);
+
+/// What has happened to a view: the bits that its STATUS has had in the run.
+RegisterValue status_value(int view, const ViewStatistics& count);
 
 }  // namespace trihedron::sim

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/pattern.hpp"
 #include "sim/report.hpp"
 #include "sim/simulator.hpp"
 #include "sim/stimulus.hpp"
@@ -15,7 +16,10 @@ namespace trihedron::sim {
 struct RegressionCase {
   RunOptions options;
   std::array<std::vector<SourceFrame>, kViews> frames;  ///< per view
+  std::array<std::vector<Pattern>, kViews> contents;    ///< of each frame
 };
+
+class FunctionalCoverage;
 
 /// How many frames the case of `seed` sends, over all views; cheap.
 int frames_in_case(std::uint64_t seed);
@@ -24,7 +28,8 @@ int frames_in_case(std::uint64_t seed);
 /// images to crop from and may be empty.
 RegressionCase make_case(std::uint64_t seed, const std::vector<GreyImage>& pictures = {});
 
-/// Simulates the case, checked against the golden model.
-Report run_case(const RegressionCase& regression_case);
+/// Simulates the case, checked against the golden model. A case that passes is counted in
+/// `coverage`, if any.
+Report run_case(const RegressionCase& regression_case, FunctionalCoverage* coverage = nullptr);
 
 }  // namespace trihedron::sim

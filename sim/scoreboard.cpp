@@ -53,8 +53,8 @@ void Scoreboard::expect(ExpectedFrame&& expected) {
   OpenFrame frame;
   const GreyImage& image = expected.image;
   if (setup_.check) {
-    const ThresholdChange& in_force =
-        setup_.thresholds.at(std::min(expected.changes, setup_.thresholds.size() - 1));
+    const SettingsChange& in_force =
+        setup_.settings.at(std::min(expected.changes, setup_.settings.size() - 1));
     frame.golden = golden_features(image, in_force.thresholds);
     apply_limit(frame.golden, in_force.vertex_limit);
   }

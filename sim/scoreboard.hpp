@@ -24,8 +24,8 @@ class Scoreboard {
  public:
   struct Setup {
     int view = 0;
-    bool check = false;                       ///< false: only the streams' shape is checked
-    std::vector<ThresholdChange> thresholds;  ///< at first, after the first change, ...
+    bool check = false;                    ///< false: only the streams' shape is checked
+    std::vector<SettingsChange> settings;  ///< in force at first, after the first change, ...
   };
 
   Scoreboard(const Setup& setup, FrameSink sink) : setup_(setup), sink_(std::move(sink)) {}

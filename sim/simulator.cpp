@@ -50,6 +50,12 @@ void check_legal(const GreyImage& image) {
 
 }  // namespace
 
+#ifdef TRIHEDRON_RTL_COVERAGE
+const bool kCountsCodeCoverage = true;
+#else
+const bool kCountsCodeCoverage = false;
+#endif
+
 Simulator::Simulator() { testbench(); }
 
 Simulator& Simulator::instance() {

@@ -14,12 +14,19 @@
 
 namespace trihedron::sim {
 
-/// Thresholds that are written while every view is in the middle of a frame that `holds`; they
-/// are in force from the next frame on.
-struct ThresholdChange {
+/// Registers that are written while every view is in the middle of a frame that `holds`; they are
+/// in force from the next frame on.
+struct SettingsChange {
   golden::FrontEndConfig thresholds;
   int vertex_limit = kMaxVertexLimit;
+  int frame_height = 0;          ///< lines; 0: not known
+  unsigned enabled = kAllViews;  ///< one bit per view; the frames of others are dropped
+  /// Written with CONTROL.hold: all but `enabled` waits until a change without it.
+  bool held = false;
 };
+
+/// Whether this build counts lines and toggles of the RTL.
+extern const bool kCountsCodeCoverage;
 
 struct RunOptions {
   std::uint64_t seed = 1;  ///< of all stalls; printed with every mismatch
@@ -30,14 +37,25 @@ struct RunOptions {
   golden::FrontEndConfig thresholds;  ///< written over AXI4-Lite before the first pixel
   /// What the scoreboard expects; differs from `thresholds` only to see the scoreboard bite.
   std::optional<golden::FrontEndConfig> expected_thresholds;
-  int vertex_limit = kMaxVertexLimit;    ///< vertices sent per frame, for the VERTEX_LIMIT register
-  std::vector<ThresholdChange> changes;  ///< one for each frame per view that `holds`, in order
+  int vertex_limit = kMaxVertexLimit;   ///< vertices sent per frame, for the VERTEX_LIMIT register
+  std::vector<SettingsChange> changes;  ///< one for each frame per view that `holds`, in order
   int frame_height = 0;  ///< lines, for the FRAME_HEIGHT register; 0: known from the stream
   /// Idle clocks that end a frame of unknown height. A SourceFrame's gap is either far shorter or
   /// far longer, so that stalls cannot turn one into the other.
   int flush_timeout = kDefaultFlushTimeout;
-  bool check = false;      ///< hold everything against the golden model
-  std::string trace_file;  ///< FST waveform of the run; empty: none
+  bool check = false;  ///< hold everything against the golden model
+  /// Clocks of random pixels and register writes before the run, ended by a reset in mid-frame.
+  int prelude_clocks = 0;
+  /// Reads every register after reset, writes byte by byte, to read-only registers and to addresses
+  /// without one, and clears STATUS bit by bit at the end.
+  bool exercise_registers = false;
+  /// Reads STATUS and counters while frames run and writes back what STATUS said, as a driver does.
+  bool poll_registers = false;
+  std::string trace_file;              ///< FST waveform of the run; empty: none
+  std::uint64_t trace_from_clock = 0;  ///< since reset; earlier clocks are not written
+  /// Verilator's line and toggle counts of all runs of this process so far; needs a build with
+  /// TRIHEDRON_RTL_COVERAGE.
+  std::string code_coverage_file;
 };
 
 /// One frame as it left the hardware.

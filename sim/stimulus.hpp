@@ -8,7 +8,8 @@
 
 namespace trihedron::sim {
 
-inline constexpr int kViews = 3;           ///< view pipelines in the simulated top
+inline constexpr int kViews = 3;  ///< view pipelines in the simulated top
+inline constexpr unsigned kAllViews = (1u << kViews) - 1;
 inline constexpr int kMinSizePx = 5;       ///< smallest legal frame width and height
 inline constexpr int kMaxWidthPx = 1920;   ///< widest frame that the simulated build takes
 inline constexpr int kMaxHeightPx = 1200;  ///< tallest frame that the simulated build takes

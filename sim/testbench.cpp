@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "sim/registers.hpp"
+#include "sim/register_checks.hpp"
 
 namespace trihedron::sim {
 namespace {
@@ -86,22 +86,51 @@ void Testbench::conduct() {
 }
 
 bool Testbench::configure() {
+  const auto read = [this](std::uint32_t address) { return bench_.read_register(address); };
+  const auto write = [this](std::uint32_t address, std::uint32_t data, unsigned strobe) {
+    bench_.write_register(address, data, strobe);
+  };
+  registers_.emplace(RegisterChecks::Port{read, write}, options_.seed);
+  if (options_.exercise_registers) registers_->sweep_after_reset();
   for (const RegisterValue& setting : run_settings(options_)) {
-    bench_.write_register(setting.address, setting.value);
-    check_register(setting);
+    registers_->set(setting, options_.exercise_registers);
   }
+  note(registers_->mismatch());
+  note(bench_.violation());
   return !report_.mismatch;
+}
+
+// What a frame finds that starts after so many changes: settings that are held do not count yet.
+std::vector<SettingsChange> Testbench::settings_in_force() const {
+  SettingsChange first;
+  first.thresholds = options_.expected_thresholds.value_or(options_.thresholds);
+  first.vertex_limit = options_.vertex_limit;
+  first.frame_height = options_.frame_height;
+  std::vector<SettingsChange> all = {first};
+  for (SettingsChange change : options_.changes) {
+    if (change.held) {
+      change.thresholds = all.back().thresholds;
+      change.vertex_limit = all.back().vertex_limit;
+      change.frame_height = all.back().frame_height;
+    }
+    all.push_back(change);
+  }
+  return all;
+}
+
+std::vector<GuardModel::Settings> Testbench::guard_settings(unsigned view) const {
+  std::vector<GuardModel::Settings> all;
+  for (const SettingsChange& settings : settings_in_force()) {
+    all.push_back({settings.frame_height, ((settings.enabled >> view) & 1) != 0});
+  }
+  return all;
 }
 
 void Testbench::start_views() {
   scoreboards_.clear();
   for (int view = 0; view < kViews; ++view) {
     const auto v = static_cast<std::size_t>(view);
-    Scoreboard::Setup setup{view, options_.check, {}};
-    setup.thresholds.push_back(
-        {options_.expected_thresholds.value_or(options_.thresholds), options_.vertex_limit});
-    setup.thresholds.insert(setup.thresholds.end(), options_.changes.begin(),
-                            options_.changes.end());
+    const Scoreboard::Setup setup{view, options_.check, settings_in_force()};
     scoreboards_.emplace_back(setup, [this](FrameResult&& frame) {
       finished_frames_.push_back(std::move(frame));
       sc_core::sc_pause();
@@ -110,7 +139,7 @@ void Testbench::start_views() {
       bench_.forget_starts(view, start);
       return bench_.start_clock(view, start);
     });
-    const GuardModel guard(options_.frame_height, options_.flush_timeout);
+    const GuardModel guard(guard_settings(static_cast<unsigned>(view)), options_.flush_timeout);
     sources_[v].begin(
         guard, [this, v](ExpectedFrame&& frame) { scoreboards_[v].expect(std::move(frame)); });
   }
@@ -118,10 +147,11 @@ void Testbench::start_views() {
 }
 
 void Testbench::watch() {
-  std::uint64_t silent_since = 0;
+  std::uint64_t silent_since = 0, polls = 0;
   while (!over()) {
     wait(bench_.burst_done());
-    if (bench_.sources_holding()) change_thresholds();
+    if (bench_.sources_holding()) change_settings();
+    if (options_.poll_registers) registers_->poll(static_cast<int>(polls++ % kViews));
     if (!all_out())
       silent_since = bench_.clocks();
     else if (bench_.clocks() - silent_since >= kSilentClocks)
@@ -129,10 +159,10 @@ void Testbench::watch() {
   }
 }
 
-void Testbench::change_thresholds() {
+void Testbench::change_settings() {
   if (changes_made_ < options_.changes.size()) {
-    for (const RegisterValue& setting : threshold_settings(options_.changes[changes_made_])) {
-      bench_.write_register(setting.address, setting.value);
+    for (const RegisterValue& setting : sim::change_settings(options_.changes[changes_made_])) {
+      registers_->set(setting, false);
     }
     ++changes_made_;
   }
@@ -141,6 +171,7 @@ void Testbench::change_thresholds() {
 
 bool Testbench::over() {
   note(bench_.violation());
+  note(registers_->mismatch());
   for (const Scoreboard& board : scoreboards_) note(board.mismatch());
   if (!report_.mismatch && bench_.clocks_without_transfer() > kHangClocks) {
     const auto waiting = std::find_if(scoreboards_.begin(), scoreboards_.end(),
@@ -165,21 +196,16 @@ void Testbench::note(const std::optional<Mismatch>& mismatch) {
 }
 
 void Testbench::check_registers() {
-  for (const RegisterValue& expected : final_values(options_, report_)) check_register(expected);
-}
-
-void Testbench::check_register(const RegisterValue& expected) {
-  const std::uint32_t got = bench_.read_register(expected.address);
-  note(bench_.violation());
-  if (got == expected.value) {
-    ++report_.compared.registers;
-    return;
+  for (const RegisterValue& expected : final_values(options_, report_)) {
+    registers_->expect(expected);
   }
-  Mismatch difference;
-  difference.stage = "register " + expected.name;
-  difference.expected = std::to_string(expected.value);
-  difference.got = std::to_string(got);
-  note(difference);
+  for (int view = 0; view < kViews; ++view) {
+    const ViewStatistics& count = report_.views[static_cast<std::size_t>(view)];
+    registers_->status(view, status_value(view, count), options_.exercise_registers);
+  }
+  note(registers_->mismatch());
+  note(bench_.violation());
+  report_.compared.registers = registers_->compared();
 }
 
 void Testbench::collect() {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/frame_source.hpp"
-#include "sim/registers.hpp"
+#include "sim/register_checks.hpp"
 #include "sim/scoreboard.hpp"
 #include "sim/simulator.hpp"
 
@@ -38,10 +38,11 @@ class Testbench : public sc_core::sc_module {
   bool configure();
   void start_views();
   void watch();
-  void change_thresholds();
+  void change_settings();
   void stop_views();
   void check_registers();
-  void check_register(const RegisterValue& expected);
+  std::vector<SettingsChange> settings_in_force() const;
+  std::vector<GuardModel::Settings> guard_settings(unsigned view) const;
   void collect();
   void score(std::size_t view);
   bool all_out() const;
@@ -55,6 +56,7 @@ class Testbench : public sc_core::sc_module {
   Fifos<ContourLinePtr> contour_{"contour"};
   Fifos<VertexBurst> vertices_{"vertices"};
   std::vector<Scoreboard> scoreboards_;
+  std::optional<RegisterChecks> registers_;
   sc_core::sc_event begin_;
   RunOptions options_;
   Report report_;

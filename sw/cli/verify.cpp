@@ -1,71 +1,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
-#include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/frame_inputs.hpp"
+#include "cli/verify_report.hpp"
 #include "cli/workers.hpp"
 #include "golden/error.hpp"
+#include "sim/functional_coverage.hpp"
 #include "sim/regression.hpp"
 
 namespace trihedron::cli {
 namespace {
 
+/// Clocks of waveform before a difference: the ten lines of latency at full width.
+constexpr std::uint64_t kTraceClocks = 20000;
+
 struct Arguments {
   int frames = 300;
   std::uint64_t seed = 1;
   int jobs = 1;
-  std::string junit, trace;
+  std::string junit, trace, coverage, code_coverage;
+  std::uint64_t trace_clocks = kTraceClocks;
   std::vector<std::string> pictures;
+  bool spoil = false;
 };
 
-/// What one case came to; travels between processes as JSON.
-struct Outcome {
-  std::uint64_t seed = 0;
-  double seconds = 0.0;
-  std::uint64_t clocks = 0;
-  sim::Compared compared;
-  std::string failure;   ///< empty: all equal
-  bool skipped = false;  ///< an earlier case of the same process failed
-};
-
-std::string to_text(const Outcome& o) {
-  return nlohmann::json{o.seed,
-                        o.seconds,
-                        o.clocks,
-                        o.compared.frames,
-                        o.compared.beats,
-                        o.compared.records,
-                        o.compared.registers,
-                        o.failure,
-                        o.skipped}
-      .dump();
+std::string verdict(const sim::Report& report) {
+  if (report.mismatch) return report.mismatch->text();
+  return report.passed() ? "" : fmt::format("seed {}: nothing was compared", report.seed);
 }
 
-Outcome from_text(const std::string& text) {
-  const nlohmann::json o = nlohmann::json::parse(text);
-  return {o[0], o[1], o[2], {o[3], o[4], o[5], o[6]}, o[7], o[8]};
+/// The same case once more, with the clocks up to the difference in a waveform.
+void trace_difference(sim::RegressionCase regression_case, const Arguments& arguments,
+                      std::uint64_t clock) {
+  sim::RunOptions& options = regression_case.options;
+  options.trace_file = arguments.trace;
+  options.trace_from_clock = clock > arguments.trace_clocks ? clock - arguments.trace_clocks : 0;
+  sim::run_case(regression_case);
 }
 
-Outcome run_one(std::uint64_t seed, const std::string& trace,
-                const std::vector<sim::GreyImage>& pictures) {
-  Outcome outcome;
+CaseOutcome run_one(std::uint64_t seed, const Arguments& arguments,
+                    const std::vector<sim::GreyImage>& pictures) {
+  CaseOutcome outcome;
   outcome.seed = seed;
   const auto start = std::chrono::steady_clock::now();
   sim::RegressionCase regression_case = sim::make_case(seed, pictures);
-  regression_case.options.trace_file = trace;
-  const sim::Report report = sim::run_case(regression_case);
+  if (arguments.spoil) {
+    regression_case.options.expected_thresholds = golden::FrontEndConfig{};
+    regression_case.options.expected_thresholds->first_contour.noise_floor = 511;
+  }
+  if (!arguments.code_coverage.empty()) {
+    regression_case.options.code_coverage_file =
+        fmt::format("{}/{}.dat", arguments.code_coverage, getpid());
+  }
+  const bool wanted = !arguments.coverage.empty();
+  const sim::Report report = sim::run_case(regression_case, wanted ? &outcome.covered : nullptr);
   outcome.clocks = report.clocks;
   outcome.compared = report.compared;
-  if (report.mismatch)
-    outcome.failure = report.mismatch->text();
-  else if (!report.passed())
-    outcome.failure = fmt::format("seed {}: nothing was compared", seed);
+  outcome.failure = verdict(report);
+  if (report.mismatch && !arguments.trace.empty()) {
+    trace_difference(regression_case, arguments, report.mismatch->clock);
+  }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }
@@ -88,61 +88,20 @@ std::vector<sim::GreyImage> read_pictures(const std::vector<std::string>& inputs
   return pictures;
 }
 
-std::string xml_escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
-void write_junit(const std::string& file, const std::vector<Outcome>& outcomes) {
-  std::ofstream out(file);
-  std::size_t failures = 0, skipped = 0;
-  double seconds = 0.0;
-  for (const Outcome& outcome : outcomes) {
-    failures += !outcome.failure.empty();
-    skipped += outcome.skipped;
-    seconds += outcome.seconds;
-  }
-  out << fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"trihedron verify\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" "
-      "time=\"{:.3f}\">\n",
-      outcomes.size(), failures, skipped, seconds);
-  for (const Outcome& outcome : outcomes) {
-    out << fmt::format("  <testcase classname=\"verify\" name=\"seed {}\" time=\"{:.3f}\">",
-                       outcome.seed, outcome.seconds);
-    if (outcome.skipped) out << "<skipped/>";
-    if (!outcome.failure.empty()) {
-      out << "<failure message=\"" << xml_escaped(outcome.failure) << "\"/>";
-    }
-    out << "</testcase>\n";
-  }
-  out << "</testsuite>\n";
-  if (!out) throw Error("--junit " + file + ": cannot be written; expected a writable path");
-}
-
 /// The command that repeats one case.
-std::string repeat_command(const Outcome& outcome, const Arguments& arguments) {
+std::string repeat_command(const CaseOutcome& outcome, const Arguments& arguments) {
   std::string command = fmt::format("trihedron verify --seed {} --frames 1", outcome.seed);
   for (const std::string& picture : arguments.pictures) command += " --pictures " + picture;
-  return command + " --trace difference.fst";
+  return command + (arguments.spoil ? " --spoil" : "") + " --trace difference.fst";
 }
 
-int report(const std::vector<Outcome>& outcomes, const Arguments& arguments, double seconds) {
+int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments, double seconds) {
   sim::Compared total;
   std::uint64_t clocks = 0;
-  for (const Outcome& outcome : outcomes) {
+  for (const CaseOutcome& outcome : outcomes) {
     if (!outcome.failure.empty()) {
       fmt::print("FAILED: {}\nrepeat: {}\n", outcome.failure, repeat_command(outcome, arguments));
+      if (!arguments.trace.empty()) fmt::print("waveform: {}\n", arguments.trace);
       return kNothingFound;
     }
     total.frames += outcome.compared.frames;
@@ -166,17 +125,18 @@ int run(const Arguments& arguments) {
   bool failed = false;
   const std::vector<std::string> texts =
       run_workers(seeds.size(), arguments.jobs, "cases", [&](std::size_t item) {
-        Outcome outcome;
+        CaseOutcome outcome;
         outcome.seed = seeds[item];
         outcome.skipped = failed;
-        if (!failed) outcome = run_one(seeds[item], arguments.trace, pictures);
+        if (!failed) outcome = run_one(seeds[item], arguments, pictures);
         failed = failed || !outcome.failure.empty();
-        return to_text(outcome);
+        return outcome.to_text();
       });
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::vector<Outcome> outcomes;
-  for (const std::string& text : texts) outcomes.push_back(from_text(text));
+  std::vector<CaseOutcome> outcomes;
+  for (const std::string& text : texts) outcomes.push_back(CaseOutcome::from_text(text));
   if (!arguments.junit.empty()) write_junit(arguments.junit, outcomes);
+  if (!arguments.coverage.empty()) write_coverage(arguments.coverage, outcomes);
   return report(outcomes, arguments, time.count());
 }
 
@@ -196,10 +156,25 @@ void add_verify(CLI::App& program, int& exit_code) {
   command->add_option("--pictures", arguments->pictures, "Real images or videos to crop from")
       ->type_name("INPUT");
   command->add_option("--junit", arguments->junit, "Write a JUnit report")->type_name("FILE");
-  command->add_option("--trace", arguments->trace, "Write the waveform of the last case")
+  command->add_option("--trace", arguments->trace, "Write the waveform before a difference")
       ->type_name("FILE.fst");
+  command->add_option("--trace-clocks", arguments->trace_clocks, "Clocks of that waveform")
+      ->capture_default_str();
+  command->add_option("--coverage", arguments->coverage, "Write the functional coverage as JSON")
+      ->type_name("FILE");
+  command
+      ->add_option("--code-coverage", arguments->code_coverage,
+                   "Write Verilator's coverage data; needs the preset rtl-coverage")
+      ->type_name("DIR");
+  command->add_flag("--spoil", arguments->spoil,
+                    "Expect contours of NOISE_FLOOR 511 only: shows what a failure looks like");
   command->footer("Example:\n  trihedron verify --frames 1000 --seed 7 --jobs 2");
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  command->callback([arguments, &exit_code] {
+    if (!arguments->code_coverage.empty() && !sim::kCountsCodeCoverage) {
+      throw Error("--code-coverage: this build does not count it; right is preset rtl-coverage");
+    }
+    exit_code = run(*arguments);
+  });
 }
 
 }  // namespace trihedron::cli

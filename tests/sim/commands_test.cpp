@@ -83,3 +83,36 @@ TEST_CASE("verify counts what it compared, the same for any number of jobs") {
   CHECK_THAT(report, Contains("failures=\"0\"") && Contains("name=\"seed 5\""));
   CHECK(run_program("verify --frames 0").exit_code == 2);
 }
+
+TEST_CASE(
+    "a failing regression prints the one command that repeats it, with the waveform before it") {
+  const Scratch scratch;
+  const Run run = run_program("verify --frames 60 --seed 1 --jobs 2 --spoil");
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.out, Contains("FAILED: first_contour differs: seed"));
+  const std::size_t at =
+      run.out.find("repeat: trihedron ") + std::string("repeat: trihedron ").size();
+  std::string repeat = run.out.substr(at, run.out.find('\n', at) - at);
+  const std::size_t trace = repeat.find("difference.fst");
+  REQUIRE(trace != std::string::npos);
+  const std::string waveform = (scratch / "difference.fst").string();
+  repeat.replace(trace, std::string("difference.fst").size(), waveform);
+  const Run again = run_program(repeat + " --trace-clocks 100");
+  CHECK(again.exit_code == 1);
+  const auto failure = [](const std::string& out) { return out.substr(0, out.find('\n')); };
+  CHECK(failure(again.out) == failure(run.out));
+  const auto windowed = std::filesystem::file_size(waveform);
+  run_program(repeat);
+  CHECK(windowed < std::filesystem::file_size(waveform));
+}
+
+TEST_CASE("verify writes its functional coverage, hit bins and missed ones") {
+  const Scratch scratch;
+  const std::string file = (scratch / "coverage.json").string();
+  REQUIRE(run_program("verify --frames 20 --jobs 2 --coverage " + file).exit_code == 0);
+  const auto coverage = nlohmann::json::parse(read_whole(file, "coverage"));
+  CHECK(coverage.at("frames") >= 15);
+  CHECK(coverage.at("groups").at("contour flags").at("none") > 0);
+  CHECK(coverage.at("groups").at("fault x contour stalls").size() == 50);
+  CHECK(run_program("verify --frames 5 --code-coverage /tmp").exit_code == 2);
+}

@@ -18,7 +18,7 @@ struct Outcome {
 };
 
 Outcome guarded(const std::vector<SourceFrame>& sent, int frame_height = 0) {
-  GuardModel guard(frame_height, kTimeout);
+  GuardModel guard({{frame_height}}, kTimeout);
   Outcome outcome;
   for (const SourceFrame& frame : sent) {
     for (const WireLinePtr& line : make_wire_lines(frame)) guard.feed(*line, outcome.frames);
@@ -93,6 +93,31 @@ TEST_CASE("with the height known, a frame ends without another one and short one
   CHECK(outcome.frames[1].image.height == 10);
   CHECK(outcome.frames[1].end == FrameEnd::kBadHeight);
   CHECK(outcome.kinds == 1u << kEarlyStartEvent);
+}
+
+TEST_CASE("frames of a view that is off are dropped without notice, whatever they are") {
+  GuardModel guard({{0, true}, {0, false}, {0, true}}, kTimeout);
+  std::vector<ExpectedFrame> frames;
+  SourceFrame holds = good(20, 15);
+  holds.holds = true;
+  const std::vector<SourceFrame> sent = {holds, faulty(20, 15, Fault::kShortLine, 4), good(4, 9),
+                                         holds, good(9, 9)};
+  for (const SourceFrame& frame : sent) {
+    for (const WireLinePtr& line : make_wire_lines(frame)) guard.feed(*line, frames);
+  }
+  guard.finish(frames);
+  REQUIRE(frames.size() == 2);
+  CHECK(frames[0].image.width == 20);
+  CHECK(frames[1].image.width == 9);
+  CHECK(frames[1].changes == 2);
+  CHECK(guard.errors() == 0);
+}
+
+TEST_CASE("a pixel that brings two events is one error") {
+  // The one-pixel frame ends a frame of one row and is itself too narrow.
+  const Outcome outcome = guarded({faulty(20, 15, Fault::kCutFrame, 0), good(1, 1), good(9, 9)});
+  CHECK(outcome.kinds == (1u << kTooFewRowsEvent | 1u << kTooNarrowEvent));
+  CHECK(outcome.errors == 1);
 }
 
 TEST_CASE("sizes that are not legal are dropped, flagged or cut") {

@@ -38,7 +38,7 @@ struct Output {
 };
 
 Scoreboard board_for(const GreyImage& image) {
-  Scoreboard board({kView, true, {ThresholdChange{}}}, [](FrameResult&&) {});
+  Scoreboard board({kView, true, {SettingsChange{}}}, [](FrameResult&&) {});
   board.on_frame([](std::size_t) { return std::uint64_t{0}; });
   board.expect({image, FrameEnd::kClean, 0});
   return board;
