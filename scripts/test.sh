@@ -5,5 +5,6 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+scripts/install.sh test
 scripts/build.sh
 ctest --preset release -j "$(nproc)" "$@"

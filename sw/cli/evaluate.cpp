@@ -4,11 +4,13 @@
 #include <memory>
 
 #include "cli/commands.hpp"
+#include "cli/evaluation_report.hpp"
 #include "cli/evaluation_table.hpp"
 #include "cli/scene_outcome.hpp"
 #include "cli/workers.hpp"
 #include "golden/error.hpp"
 #include "io/file.hpp"
+#include "report/page.hpp"
 
 namespace trihedron::cli {
 namespace {
@@ -17,7 +19,8 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   RecognitionArguments recognition;
-  std::string dataset, csv, features;
+  std::string dataset, csv, features, report;
+  std::vector<std::string> report_scenes = {"failed"};
   int jobs = 1;
   bool json = false, tables = false;
 };
@@ -33,10 +36,14 @@ void check_writable(const std::string& csv) {
 std::vector<SceneOutcome> process(const Arguments& arguments, const std::vector<fs::path>& scenes,
                                   const std::vector<Model>& library) {
   FrontEnd front_end;  // made in the worker: a simulation lives in one process
+  report::HardwareActivity activity;
+  const SceneRequest request{arguments.recognition,
+                             arguments.features,
+                             arguments.tables,
+                             {!arguments.report.empty(), arguments.report_scenes}};
   const auto work = [&](std::size_t i) {
-    if (!front_end) front_end = arguments.recognition.make_front_end();
-    return to_text(process_scene(scenes[i], front_end, library, arguments.recognition.options(),
-                                 arguments.features, arguments.tables));
+    if (!front_end) front_end = arguments.recognition.make_front_end(&activity);
+    return to_text(process_scene(scenes[i], front_end, activity, library, request));
   };
   std::vector<SceneOutcome> outcomes;
   for (const std::string& text : run_workers(scenes.size(), arguments.jobs, "scenes", work))
@@ -48,6 +55,8 @@ int run(const Arguments& arguments) {
   const std::vector<fs::path> scenes = find_scenes(arguments.dataset);
   const std::vector<Model> library = arguments.recognition.library(arguments.dataset);
   check_writable(arguments.csv);
+  report::check_report_file(arguments.report);
+  check_report_scenes(arguments.report_scenes, scenes);
   if (!arguments.features.empty()) make_folder(arguments.features);
   const std::vector<SceneOutcome> outcomes = process(arguments, scenes, library);
 
@@ -55,6 +64,8 @@ int run(const Arguments& arguments) {
   for (const SceneOutcome& outcome : outcomes)
     rows.insert(rows.end(), outcome.rows.begin(), outcome.rows.end());
   if (!arguments.csv.empty()) write_whole(arguments.csv, format_results(rows));
+  if (!arguments.report.empty())
+    write_evaluation_report(arguments.report, arguments.dataset, outcomes);
   for (const SceneOutcome& outcome : outcomes)
     if (!outcome.tables.empty()) fmt::print("{}\n", outcome.tables);
   fmt::print("{}", arguments.json ? evaluation_json(outcomes) : evaluation_table(outcomes));
@@ -80,6 +91,17 @@ void add_evaluate(CLI::App& program, int& exit_code) {
       ->add_option("--features", arguments->features,
                    "Write SCENE/000000.png (contour) and SCENE/000000.csv (vertices) per view")
       ->type_name("DIR");
+  auto* report =
+      command
+          ->add_option("--report", arguments->report,
+                       "Write a page to look at: all scenes, and those that failed in full")
+          ->type_name("FILE.html");
+  command
+      ->add_option("--report-scenes", arguments->report_scenes,
+                   "Scenes that the page shows in full: failed, all, or names of scenes")
+      ->type_name("SCENE")
+      ->needs(report)
+      ->capture_default_str();
   auto* json = command->add_flag("--json", arguments->json, "Print the figures as JSON");
   command
       ->add_flag("--tables", arguments->tables,

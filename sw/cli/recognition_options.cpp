@@ -27,8 +27,8 @@ RecognitionOptions RecognitionArguments::options() const {
   return out;
 }
 
-FrontEnd RecognitionArguments::make_front_end() const {
-  return front_end == "rtl" ? rtl_front_end() : golden_front_end();
+FrontEnd RecognitionArguments::make_front_end(report::HardwareActivity* activity) const {
+  return front_end == "rtl" ? rtl_front_end(activity) : golden_front_end();
 }
 
 std::vector<Model> RecognitionArguments::library(const std::filesystem::path& input) const {

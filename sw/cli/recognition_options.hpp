@@ -8,6 +8,7 @@
 
 #include "io/views.hpp"
 #include "recognition/recognize.hpp"
+#include "report/hardware_activity.hpp"
 
 namespace trihedron::cli {
 
@@ -21,7 +22,8 @@ struct RecognitionArguments {
   void add_to(CLI::App& command);
 
   RecognitionOptions options() const;
-  FrontEnd make_front_end() const;
+  /// Where the RTL is simulated, each call stores in `activity`, unless null, what it counted.
+  FrontEnd make_front_end(report::HardwareActivity* activity = nullptr) const;
 
   /// The library: --models, else a folder "models" beside `input` or up to two levels above it.
   /// Throws Error when there is neither.

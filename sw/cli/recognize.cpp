@@ -14,6 +14,8 @@
 #include "io/file.hpp"
 #include "io/pictures.hpp"
 #include "io/report_json.hpp"
+#include "report/page.hpp"
+#include "report/scene_data.hpp"
 
 namespace trihedron::cli {
 namespace {
@@ -21,7 +23,7 @@ namespace {
 struct Arguments {
   RecognitionArguments recognition;
   StreamArguments stream;
-  std::string scene, out;
+  std::string scene, out, report;
   bool json = false, tables = false, quiet = false;
 };
 
@@ -64,7 +66,17 @@ void print_result(const Scene& scene, const RecognitionResult& result,
     fmt::print("{:<12} {:6}  {:8.2f} ms\n", stage.stage, stage.count, 1e3 * stage.seconds);
 }
 
+void write_page(const std::string& file, const report::RecognizedScene& recognized) {
+  report::PageContent content;
+  content.title = "Scene " + recognized.scene.name;
+  content.program = "trihedron " TRIHEDRON_VERSION;
+  content.scenes.push_back(report::scene_data(recognized));
+  write_whole(file, report::make_page(content));
+}
+
 int run(const Arguments& arguments) {
+  if (!arguments.stream.sources.empty() && !arguments.report.empty())
+    throw Error("--report: not with --stream; expected a SCENE, whose page it writes");
   if (!arguments.stream.sources.empty())
     return recognize_stream(arguments.stream, arguments.recognition, arguments.out,
                             arguments.quiet);
@@ -73,22 +85,35 @@ int run(const Arguments& arguments) {
   const Scene scene = read_scene(arguments.scene);
   const std::vector<Model> library = arguments.recognition.library(arguments.scene);
   if (!arguments.out.empty()) make_folder(arguments.out);
-  const std::vector<View> views = make_views(scene, arguments.recognition.make_front_end());
+  report::check_report_file(arguments.report);
+  report::HardwareActivity activity;
+  const std::vector<View> views =
+      make_views(scene, arguments.recognition.make_front_end(&activity));
   const auto start = std::chrono::steady_clock::now();
   std::string tables;
   const RecognitionResult result =
       recognize_with_tables(scene.name, views, library, arguments.recognition.options(),
                             arguments.tables ? &tables : nullptr);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const std::string report = report_json(scene, result, library).dump(1) + "\n";
+  const std::string json = report_json(scene, result, library).dump(1) + "\n";
   if (!arguments.out.empty()) {
     const std::filesystem::path out = arguments.out;
     write_pictures(out, scene, views, result, library);
     write_whole(out / "results.csv", format_results(result_rows(scene, result, seconds.count())));
-    write_whole(out / "report.json", report);
+    write_whole(out / "report.json", json);
+  }
+  if (!arguments.report.empty()) {
+    const report::RecognizedScene all{scene,
+                                      views,
+                                      library,
+                                      result,
+                                      arguments.recognition.front_end,
+                                      arguments.recognition.method,
+                                      activity};
+    write_page(arguments.report, all);
   }
   if (arguments.json)
-    fmt::print("{}", report);
+    fmt::print("{}", json);
   else if (arguments.tables)
     fmt::print("{}", tables);
   else if (!arguments.quiet)
@@ -113,6 +138,10 @@ void add_recognize(CLI::App& program, int& exit_code) {
                    "Write pictures of every stage and view, results.csv and report.json here; with "
                    "--stream results.jsonl")
       ->type_name("DIR");
+  command
+      ->add_option("--report", arguments->report,
+                   "Write a page to look at: every stage in every view, the scene in space, tables")
+      ->type_name("FILE.html");
   command->add_flag("--json", arguments->json, "Print the whole report as JSON");
   command->add_flag("--tables", arguments->tables,
                     "Print the source paper's tables 1-6 instead (--method paper)");
@@ -120,7 +149,7 @@ void add_recognize(CLI::App& program, int& exit_code) {
   command->footer(
       "Examples:\n"
       "  trihedron recognize testvectors/scenes/studio-two/000034 \\\n"
-      "    --models testvectors/models10 --out out/000034\n"
+      "    --models testvectors/models10 --out out/000034 --report out/000034.html\n"
       "  trihedron recognize --stream top.mp4 side.mp4 front.mp4 \\\n"
       "    --cameras scene_camera.json --models parts --out out/stream\n"
       "\n"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/scene_outcome.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "cli/paper_tables.hpp"
 #include "io/feature_files.hpp"
+#include "report/scene_data.hpp"
 
 namespace trihedron::cli {
 namespace {
@@ -35,11 +37,31 @@ ResultRow row_from_json(const json& j) {
   return row;
 }
 
+/// Not as the truth says; without truth, nothing found.
+bool failed(const SceneOutcome& outcome) {
+  if (!outcome.has_truth) return outcome.rows.empty();
+  const auto& objects = outcome.score.objects;
+  return outcome.score.wrong > 0 ||
+         std::any_of(objects.begin(), objects.end(), [](const ObjectScore& o) { return !o.right; });
+}
+
+bool in_full(const ReportRequest& request, const std::string& scene, const SceneOutcome& outcome) {
+  return std::any_of(request.scenes.begin(), request.scenes.end(), [&](const std::string& choice) {
+    return choice == "all" || choice == scene || (choice == "failed" && failed(outcome));
+  });
+}
+
+std::string report_text(const report::RecognizedScene& recognized, bool full) {
+  const report::Json out = {{"line", report::scene_line(recognized)},
+                            {"scene", full ? report::scene_data(recognized) : report::Json()}};
+  return out.dump(-1, ' ', false, report::Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& front_end,
-                           const std::vector<Model>& library, const RecognitionOptions& options,
-                           const std::string& features_folder, bool tables) {
+                           const report::HardwareActivity& activity,
+                           const std::vector<Model>& library, const SceneRequest& request) {
   const Scene scene = read_scene(folder);
   SceneOutcome outcome;
   outcome.kind = scene.kind.empty() ? "scenes" : scene.kind;
@@ -48,17 +70,22 @@ SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& 
   int vertices = 0;
   for (const View& view : views) vertices += static_cast<int>(view.features.vertices.size());
   outcome.stages.push_back({"front end", vertices, seconds_since(start)});
-  if (!features_folder.empty())
+  if (!request.features_folder.empty())
     for (std::size_t v = 0; v < views.size(); ++v)
-      write_features(std::filesystem::path(features_folder) / scene.name, scene.im_ids[v],
+      write_features(std::filesystem::path(request.features_folder) / scene.name, scene.im_ids[v],
                      views[v].features);
   start = Clock::now();
-  const RecognitionResult result = recognize_with_tables(scene.name, views, library, options,
-                                                         tables ? &outcome.tables : nullptr);
+  const RecognitionResult result =
+      recognize_with_tables(scene.name, views, library, request.recognition.options(),
+                            request.tables ? &outcome.tables : nullptr);
   outcome.rows = result_rows(scene, result, seconds_since(start));
   outcome.stages.insert(outcome.stages.end(), result.stages.begin(), result.stages.end());
   outcome.has_truth = scene.truth.has_value();
   if (scene.truth) outcome.score = score_scene(result, *scene.truth, library);
+  if (request.report.wanted)
+    outcome.report = report_text({scene, views, library, result, request.recognition.front_end,
+                                  request.recognition.method, activity},
+                                 in_full(request.report, scene.name, outcome));
   return outcome;
 }
 
@@ -73,6 +100,7 @@ std::string to_text(const SceneOutcome& outcome) {
       {"has_truth", outcome.has_truth},
       {"rows", rows},
       {"tables", outcome.tables},
+      {"report", outcome.report},
       {"stages", stages},
       {"objects", objects},
       {"counts",
@@ -86,6 +114,7 @@ SceneOutcome from_text(const std::string& text) {
   outcome.kind = in["kind"];
   outcome.has_truth = in["has_truth"];
   outcome.tables = in["tables"];
+  outcome.report = in["report"];
   for (const json& row : in["rows"]) outcome.rows.push_back(row_from_json(row));
   for (const json& s : in["stages"]) outcome.stages.push_back({s[0], s[1], s[2]});
   for (const json& o : in["objects"]) outcome.score.objects.push_back({o[0], o[1], o[2]});

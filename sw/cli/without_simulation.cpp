@@ -23,7 +23,7 @@ void add_refusal(CLI::App& program, const char* name) {
 void add_simulate(CLI::App& program, int&) { add_refusal(program, "simulate"); }
 void add_verify(CLI::App& program, int&) { add_refusal(program, "verify"); }
 
-FrontEnd rtl_front_end() { refuse("--frontend rtl"); }
+FrontEnd rtl_front_end(report::HardwareActivity*) { refuse("--frontend rtl"); }
 std::string default_front_end() { return "golden"; }
 
 }  // namespace trihedron::cli

@@ -124,8 +124,7 @@ std::vector<Residual> exact_residuals(const std::vector<FieldView>& views,
   out.reserve(points.size());
   for (const EdgePoint& p : points) {
     const EdgeProfile profile = views[p.view].field->profile(p.x, p.normal);
-    if (std::abs(profile.height) < kClearHeight * profile.sigma_height) continue;
-    if (std::abs(profile.offset_px) >= 1.99) continue;  // the bell ran into its stop
+    if (!speaks(profile)) continue;
     Residual r;
     r.value = profile.offset_px;
     r.sigma = exact_sigma(profile.sigma_px, p.crowded);
@@ -190,6 +189,12 @@ Eigen::Matrix<double, 2, 6> motion_jacobian(const Camera& camera, const Eigen::V
       -a.z(), 0, a.x(), 0, 1, 0,        //
       a.y(), -a.x(), 0, 0, 0, 1;
   return image * motion;
+}
+
+bool speaks(const EdgeProfile& profile) {
+  constexpr double kReachPx = 1.99;  // beyond, the bell ran into its stop
+  return std::abs(profile.height) >= kClearHeight * profile.sigma_height &&
+         std::abs(profile.offset_px) < kReachPx;
 }
 
 RefinedPose refine(const std::vector<FieldView>& views, std::vector<PlacedModel> objects, int index,

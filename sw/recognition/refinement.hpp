@@ -45,6 +45,10 @@ std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
                                    const std::vector<VisibleEdge>& edges, double step_px,
                                    double end_px, double outside_px = 0);
 
+/// Whether the gradient shows an edge where the profile was asked for: a height clear of image
+/// noise, and the edge within the profile's reach.
+bool speaks(const EdgeProfile& profile);
+
 struct RefinementOptions {
   /// How far contours are searched for across a predicted edge, mm at the object, one search
   /// after another, and at least kNarrowPx.
