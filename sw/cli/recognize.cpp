@@ -66,52 +66,40 @@ void print_result(const Scene& scene, const RecognitionResult& result,
     fmt::print("{:<12} {:6}  {:8.2f} ms\n", stage.stage, stage.count, 1e3 * stage.seconds);
 }
 
-void write_page(const std::string& file, const report::RecognizedScene& recognized) {
+/// Everything that was asked for as files; `json` is the report for machines.
+void write_files(const Arguments& arguments, const report::RecognizedScene& done,
+                 const std::string& json, double seconds) {
+  if (!arguments.out.empty()) {
+    const std::filesystem::path out = arguments.out;
+    write_pictures(out, done.scene, done.views, done.result, done.library);
+    write_whole(out / "results.csv", format_results(result_rows(done.scene, done.result, seconds)));
+    write_whole(out / "report.json", json);
+  }
+  if (arguments.report.empty()) return;
   report::PageContent content;
-  content.title = "Scene " + recognized.scene.name;
+  content.title = "Scene " + done.scene.name;
   content.program = "trihedron " TRIHEDRON_VERSION;
-  content.scenes.push_back(report::scene_data(recognized));
-  write_whole(file, report::make_page(content));
+  content.scenes.push_back(report::scene_data(done));
+  write_whole(arguments.report, report::make_page(content));
 }
 
-int run(const Arguments& arguments) {
-  if (!arguments.stream.sources.empty() && !arguments.report.empty())
-    throw Error("--report: not with --stream; expected a SCENE, whose page it writes");
-  if (!arguments.stream.sources.empty())
-    return recognize_stream(arguments.stream, arguments.recognition, arguments.out,
-                            arguments.quiet);
-  if (arguments.scene.empty())
-    throw Error("recognize: SCENE is required; expected the folder of a scene, or --stream");
+int run_scene(const Arguments& arguments) {
+  const RecognitionArguments& options = arguments.recognition;
   const Scene scene = read_scene(arguments.scene);
-  const std::vector<Model> library = arguments.recognition.library(arguments.scene);
+  const std::vector<Model> library = options.library(arguments.scene);
   if (!arguments.out.empty()) make_folder(arguments.out);
   report::check_report_file(arguments.report);
   report::HardwareActivity activity;
-  const std::vector<View> views =
-      make_views(scene, arguments.recognition.make_front_end(&activity));
+  const std::vector<View> views = make_views(scene, options.make_front_end(&activity));
   const auto start = std::chrono::steady_clock::now();
   std::string tables;
-  const RecognitionResult result =
-      recognize_with_tables(scene.name, views, library, arguments.recognition.options(),
-                            arguments.tables ? &tables : nullptr);
+  const RecognitionResult result = recognize_with_tables(
+      scene.name, views, library, options.options(), arguments.tables ? &tables : nullptr);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const std::string json = report_json(scene, result, library).dump(1) + "\n";
-  if (!arguments.out.empty()) {
-    const std::filesystem::path out = arguments.out;
-    write_pictures(out, scene, views, result, library);
-    write_whole(out / "results.csv", format_results(result_rows(scene, result, seconds.count())));
-    write_whole(out / "report.json", json);
-  }
-  if (!arguments.report.empty()) {
-    const report::RecognizedScene all{scene,
-                                      views,
-                                      library,
-                                      result,
-                                      arguments.recognition.front_end,
-                                      arguments.recognition.method,
-                                      activity};
-    write_page(arguments.report, all);
-  }
+  write_files(arguments,
+              {scene, views, library, result, options.front_end, options.method, activity}, json,
+              seconds.count());
   if (arguments.json)
     fmt::print("{}", json);
   else if (arguments.tables)
@@ -119,6 +107,18 @@ int run(const Arguments& arguments) {
   else if (!arguments.quiet)
     print_result(scene, result, library);
   return result.objects.empty() ? kNothingFound : kDone;
+}
+
+int run(const Arguments& arguments) {
+  const bool stream = !arguments.stream.sources.empty();
+  if (stream && !arguments.report.empty())
+    throw Error("--report: not with --stream; expected a SCENE, whose page it writes");
+  if (stream)
+    return recognize_stream(arguments.stream, arguments.recognition, arguments.out,
+                            arguments.quiet);
+  if (arguments.scene.empty())
+    throw Error("recognize: SCENE is required; expected the folder of a scene, or --stream");
+  return run_scene(arguments);
 }
 
 }  // namespace

@@ -35,8 +35,12 @@ CANVAS = """
   image.src = document.querySelector('#space-view canvas').toDataURL();"""
 
 
-class ReportTest(unittest.TestCase):
-    pages = browser = None
+class PageTest(unittest.TestCase):
+    """What all tests share; `plain` draws no WebGL, which makes most tests quick."""
+    pages = plain = drawing = None
+
+    def setUp(self):
+        self.browser = self.plain
 
     def open(self, page):
         self.browser.open(page)
@@ -50,9 +54,33 @@ class ReportTest(unittest.TestCase):
     def text(self, selector):
         return self.js("return document.querySelector(arguments[0]).textContent", selector)
 
+
+class SpaceTest(PageTest):
+    def setUp(self):
+        self.browser = self.drawing
+
     def canvas(self):
         return self.browser.driver.execute_async_script(CANVAS)
 
+    def test_the_scene_in_space_is_drawn_and_its_parts_can_be_switched(self):
+        self.open(self.pages.scene)
+        whole = self.canvas()
+        self.assertGreater(whole["colours"], 200, "the drawing in space is blank")
+        self.js("document.querySelector('#space-options input[name=models]').click()")
+        self.assertNotEqual(self.canvas()["sum"], whole["sum"])
+        self.js("document.querySelector('#space-options input[name=models]').click()")
+        self.assertEqual(self.canvas()["sum"], whole["sum"])
+        self.js("""document.getElementById('space-view').dispatchEvent(
+            new KeyboardEvent('keydown', {key: 'ArrowLeft', cancelable: true}))""")
+        self.assertNotEqual(self.canvas()["sum"], whole["sum"])
+
+    def test_a_scene_without_objects_still_shows_table_and_cameras(self):
+        self.open(self.pages.empty)
+        self.assertGreater(self.canvas()["colours"], 50)
+        self.assertEqual(self.browser.outside_requests(), [])
+
+
+class ReportTest(PageTest):
     def test_every_part_of_the_page_is_there_and_nothing_comes_from_outside(self):
         self.open(self.pages.scene)
         self.assertEqual(self.js("return figures.length"), 3)
@@ -110,23 +138,11 @@ class ReportTest(unittest.TestCase):
         view = self.js("return document.querySelector('svg.view')")
         box = "return document.querySelector('svg.view').getAttribute('viewBox')"
         boxes = [self.js(box)]
-        for key in ["+", "ArrowRight", "-", "0"]:
+        for key in ["+", "ArrowRight", "+", "0"]:
             self.js(press, view, key)
             boxes.append(self.js(box))
         self.assertEqual(len(set(boxes[:4])), 4, boxes)
         self.assertEqual([float(v) for v in boxes[4].split()], [-0.5, -0.5, 450, 300])
-
-    def test_the_scene_in_space_is_drawn_and_its_parts_can_be_switched(self):
-        self.open(self.pages.scene)
-        whole = self.canvas()
-        self.assertGreater(whole["colours"], 200, "the drawing in space is blank")
-        self.js("document.querySelector('#space-options input[name=models]').click()")
-        self.assertNotEqual(self.canvas()["sum"], whole["sum"])
-        self.js("document.querySelector('#space-options input[name=models]').click()")
-        self.assertEqual(self.canvas()["sum"], whole["sum"])
-        self.js("""document.getElementById('space-view').dispatchEvent(
-            new KeyboardEvent('keydown', {key: 'ArrowLeft', cancelable: true}))""")
-        self.assertNotEqual(self.canvas()["sum"], whole["sum"])
 
     def test_a_rejected_hypothesis_is_drawn_on_request(self):
         self.open(self.pages.scene)
@@ -154,7 +170,6 @@ class ReportTest(unittest.TestCase):
         self.open(self.pages.empty)
         self.assertEqual(self.text(".result"), "No object of the library was found.")
         self.assertIn("The truth is not known.", self.text("#summary"))
-        self.assertGreater(self.canvas()["colours"], 50)
 
     def test_names_that_are_markup_are_shown_as_they_are(self):
         self.open(self.pages.evil)
@@ -186,6 +201,11 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(self.js("return window.printed"), 3 * len(STEPS))
         self.assertEqual(self.js("return document.querySelectorAll('#sheet svg').length"), 0)
 
+    def test_without_webgl_the_page_says_so_and_keeps_the_rest(self):
+        self.open(self.pages.scene)
+        self.assertIn("no WebGL", self.text("#no-webgl"))
+        self.assertEqual(self.js("return document.querySelectorAll('#objects tbody tr').length"), 2)
+
     def test_dark_and_light_differ(self):
         self.open(self.pages.scene)
         colour = "return getComputedStyle(document.body).backgroundColor"
@@ -193,25 +213,18 @@ class ReportTest(unittest.TestCase):
         self.js("document.getElementById('theme').click()")
         self.assertNotEqual(self.js(colour), before)
 
-    def test_without_webgl_the_page_says_so_and_keeps_the_rest(self):
-        plain = Browser(webgl=False)
-        self.addCleanup(plain.close)
-        plain.open(self.pages.scene)
-        self.assertIn("no WebGL", plain.run("return document.getElementById('no-webgl').textContent"))
-        self.assertEqual(plain.run("return document.querySelectorAll('#objects tbody tr').length"), 2)
-        self.assertEqual(plain.errors(), [])
-
 
 def main():
     require_browser()
     program, testvectors, simulated = sys.argv[1:4]
     with tempfile.TemporaryDirectory() as folder:
-        ReportTest.pages = Pages(program, Path(testvectors), folder, simulated == "1")
-        ReportTest.browser = Browser()
+        PageTest.pages = Pages(program, Path(testvectors), folder, simulated == "1")
+        PageTest.plain, PageTest.drawing = Browser(webgl=False), Browser()
         try:
             done = unittest.main(argv=sys.argv[:1], exit=False)
         finally:
-            ReportTest.browser.close()
+            PageTest.plain.close()
+            PageTest.drawing.close()
     sys.exit(0 if done.result.wasSuccessful() else 1)
 
 
