@@ -107,13 +107,18 @@ std::vector<RankedHypothesis> rank(const SceneInput& input, const std::vector<Sp
 
 Candidate make_candidate(const SceneInput& input, int index) {
   const PoseHypothesis& hypothesis = input.hypotheses[index];
-  const Model& model = input.library[hypothesis.model];
+  return make_candidate(input, hypothesis.model, hypothesis.world_from_model, {5, 2.5, 1});
+}
+
+Candidate make_candidate(const SceneInput& input, int model_index,
+                         const Transform& world_from_model, const std::vector<double>& reaches_mm) {
+  const Model& model = input.library[model_index];
   RefinementOptions options;
-  options.reaches_mm = {5, 2.5, 1};
+  options.reaches_mm = reaches_mm;
   options.exact_rounds = 2;
   Candidate out;
-  out.model = hypothesis.model;
-  out.pose = refine(input.views, {{&model, hypothesis.world_from_model}}, 0, options);
+  out.model = model_index;
+  out.pose = refine(input.views, {{&model, world_from_model}}, 0, options);
   VerificationOptions verification;
   verification.tests = std::max<double>(1, static_cast<double>(input.hypotheses.size()));
   const std::vector<PlacedModel> alone = {{&model, out.pose.world_from_model}};

@@ -45,5 +45,8 @@ struct Candidate {
 
 /// Refines hypothesis `index` and judges it alone.
 Candidate make_candidate(const SceneInput& input, int index);
+/// The same for any pose near the truth: contours are searched for up to `reach_mm` away.
+Candidate make_candidate(const SceneInput& input, int model, const Transform& world_from_model,
+                         const std::vector<double>& reaches_mm);
 
 }  // namespace trihedron

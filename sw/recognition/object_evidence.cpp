@@ -2,7 +2,9 @@
 #include "recognition/object_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace trihedron {
 namespace {
@@ -35,37 +37,51 @@ bool explained(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double w
 
 enum class Finding { kFound, kDisplaced, kFlat, kSilent };
 
-/// The mean grey step along the points of a piece that show no contour, against places beside.
-struct FaintStep {
-  double sum = 0;
-  int n = 0;
-
+/// The mean grey steps across the points of a piece that show no contour, at and beside the place
+/// that is predicted.
+class FaintStep {
+ public:
   void add(const ContourField& field, const EdgePoint& p) {
-    constexpr double kBesidePx = 7;
-    const Eigen::Vector2d beside = kBesidePx * p.normal;
-    if (!field.inside(p.x, ContourField::kProfilePx + kBesidePx)) return;
-    sum += field.step(p.x, p.normal) -
-           0.5 * (field.step(p.x + beside, p.normal) + field.step(p.x - beside, p.normal));
-    ++n;
+    if (!field.inside(p.x, kBesidePx + 3)) return;
+    for (int d = -kBesidePx; d <= kBesidePx; ++d) {
+      sum_[d + kBesidePx] += field.step(p.x + d * p.normal, p.normal);
+    }
+    ++n_;
   }
-  /// Whether there is a step that neither noise (four deviations) nor a smooth shading makes.
+  /// Whether there is a step at the predicted place that neither noise (four deviations) nor
+  /// whatever else changes nearby makes: the largest around, and well above the others.
   bool clear() const {
-    constexpr double kDeviations = 4, kLeast = 0.5;
-    const double deviation = std::sqrt(1.5 * n);  // of a sum of n differences of unit noise
-    return std::abs(sum) > kDeviations * deviation && std::abs(sum) > kLeast * n;
+    constexpr double kDeviations = 4, kAboveOthers = 2;
+    std::array<double, kPlaces> sorted = sum_;
+    std::nth_element(sorted.begin(), sorted.begin() + kPlaces / 2, sorted.end());
+    const double shading = sorted[kPlaces / 2];
+    double here = 0, others = 0;
+    for (int d = -kBesidePx; d <= kBesidePx; ++d) {
+      const double step = std::abs(sum_[d + kBesidePx] - shading);
+      if (std::abs(d) <= 1) here = std::max(here, step);
+      if (std::abs(d) >= kApartPx) others = std::max(others, step);
+    }
+    return here > kDeviations * std::sqrt(n_) && here > kAboveOthers * others;
   }
+
+ private:
+  static constexpr int kBesidePx = 8;
+  static constexpr int kApartPx = 4;  // steps nearer than this share their pixels
+  static constexpr int kPlaces = 2 * kBesidePx + 1;
+  std::array<double, kPlaces> sum_ = {};
+  int n_ = 0;
 };
 
 struct Collector {
   const FieldView& view;
-  const std::vector<VisibleEdge>& lines;   // of all objects
-  const std::vector<VisibleEdge>& others;  // of those that come first
-  double least_px, reach_px;               // displacements that count
+  const std::vector<VisibleEdge>& lines;  // of all objects
+  std::vector<VisibleEdge> earlier;       // of objects that come first, and of pieces before this
+  double least_px, reach_px;              // displacements that count
   std::vector<double> hits;
 
   Finding look(const EdgePoint& p, double& displacement) {
-    // A contour proves one object only: where another one's line runs, nothing is learnt.
-    if (explained(p.x, p.normal, kSharedPx, others)) return Finding::kSilent;
+    // A contour proves one line only: where an earlier one runs, nothing is learnt.
+    if (explained(p.x, p.normal, kSharedPx, earlier)) return Finding::kSilent;
     if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, displacement);
     const EdgeProfile profile = view.field->profile(p.x, p.normal);
     const bool clear = std::abs(profile.height) > kClearHeight * profile.sigma_height;
@@ -139,7 +155,7 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
   const double px_per_mm = view.camera->px_per_mm_at(placed.world_from_model.t);
   Collector collector{view,
                       lines,
-                      others,
+                      std::move(others),
                       std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
                       kSimilarShapes * placed.model->diameter * px_per_mm,
                       {}};
@@ -168,6 +184,7 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
         beside.push_back({(points[i].x - line.x0).norm(), displacement});
       }
     }
+    collector.earlier.push_back(line);
     if (piece.points == 0) continue;
     settle(piece, beside, found);
     if (faint.clear()) std::swap(piece.weak, piece.flat);

@@ -14,15 +14,6 @@ constexpr double kPenetrationMm = 2.0;
 constexpr double kTentativeShare = 0.35;
 /// Expected false alarms of a candidate that may be tried at all, as log10.
 constexpr double kTentativeLog10 = -3;
-/// Two answers are equally good when their log evidence differs by less than this share of it:
-/// contrast and shadows spread the evidence of a true object by about so much.
-constexpr double kAmbiguous = 0.02;
-/// Rivals for an object's place are looked at when their quick score reaches this share of its
-/// own, and so many of them.
-constexpr double kRivalShare = 0.7;
-constexpr int kRivals = 3;
-/// Poses that differ by less than this share of the diameter are one answer.
-constexpr double kSameAnswer = 0.05;
 /// Refined poses nearer than this are the same, mm.
 constexpr double kSamePoseMm = 1.0;
 
@@ -38,11 +29,6 @@ void SceneSearch::run() {
     idle = active_ == before ? idle + 1 : 0;
   }
   settle_rivals();
-}
-
-int SceneSearch::runner_up(int active) const {
-  const auto found = runner_up_.find(active);
-  return found == runner_up_.end() ? -1 : found->second;
 }
 
 PlacedModel SceneSearch::placed(int i) const {
@@ -118,7 +104,10 @@ bool SceneSearch::try_batch() {
 
 void SceneSearch::add(int hypothesis) {
   tried_[hypothesis] = 1;
-  Candidate candidate = make_candidate(input_, hypothesis);
+  add(make_candidate(input_, hypothesis));
+}
+
+void SceneSearch::add(const Candidate& candidate) {
   if (!candidate.pose.converged || known(candidate)) return;
   std::string reason;
   const bool below = below_table(candidate, reason);
@@ -218,67 +207,6 @@ void SceneSearch::settle() {
   }
   fill();
   while (remove_worst()) fill();
-}
-
-/// Refines the best hypotheses that claim an object's place with another answer.
-void SceneSearch::find_rivals(int winner) {
-  const double own = quick_score(input_.views, input_.maps, *placed(winner).model,
-                                 placed(winner).world_from_model);
-  int found = 0;
-  for (const RankedHypothesis& ranked : rank(input_, input_.maps, options_.ranked)) {
-    if (found >= kRivals || ranked.score < kRivalShare * own) break;
-    const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
-    const PlacedModel place{&input_.library[h.model], h.world_from_model};
-    if (tried_[ranked.hypothesis] ||
-        !overlap(place, inner(h.model), placed(winner), inner(candidates_[winner].model))) {
-      continue;
-    }
-    add(ranked.hypothesis);
-    ++found;
-  }
-}
-
-bool SceneSearch::is_rival(int i, int winner) {
-  if (std::count(active_.begin(), active_.end(), i) || !in_conflict(i, winner)) return false;
-  const bool same =
-      candidates_[i].model == candidates_[winner].model &&
-      pose_distance(*placed(i).model, placed(i).world_from_model, placed(winner).world_from_model) <
-          kSameAnswer * placed(i).model->diameter;
-  if (same) return false;
-  return std::none_of(active_.begin(), active_.end(),
-                      [&](int other) { return other != winner && in_conflict(i, other); });
-}
-
-/// Finds each object's best rival for its place; where the two are equally good, neither is
-/// reported.
-void SceneSearch::settle_rivals() {
-  const std::vector<int> winners = active_;
-  for (int winner : winners) find_rivals(winner);
-  for (int winner : winners) {
-    bool ambiguous = false;
-    for (int i = 0; i < static_cast<int>(candidates_.size()); ++i) {
-      const double theirs_alone = candidates_[i].alone.log_against_chance;
-      const double mine = candidates_[winner].verdict.log_against_chance;
-      if (theirs_alone < kRivalShare * mine || !is_rival(i, winner)) continue;
-      const auto place = std::find(active_.begin(), active_.end(), winner);
-      *place = i;  // the same scene with the rival in the winner's place
-      judge(i);
-      *place = winner;
-      const Verdict& theirs = candidates_[i].verdict;
-      const int best = runner_up(winner);
-      if (best < 0 || theirs.log_against_chance > candidates_[best].verdict.log_against_chance) {
-        runner_up_[winner] = i;
-      }
-      if (!theirs.accepted) continue;
-      const bool equal = theirs.log_against_chance > mine * (1 - kAmbiguous);
-      ambiguous = ambiguous || equal;
-      reject(i, equal ? "ambiguous: another model or pose explains as much"
-                      : "a better answer stands in its place");
-    }
-    if (!ambiguous) continue;
-    reject(winner, "ambiguous: another model or pose explains as much");
-    active_.erase(std::find(active_.begin(), active_.end(), winner));
-  }
 }
 
 }  // namespace trihedron

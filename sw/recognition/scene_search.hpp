@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recognition/candidates.hpp"
+#include "recognition/lookalikes.hpp"
 #include "recognition/solid_overlap.hpp"
 
 namespace trihedron {
@@ -37,6 +38,7 @@ class SceneSearch {
  private:
   PlacedModel placed(int i) const;
   const InnerPoints& inner(int model);
+  const Lookalikes& lookalikes(int model);
   bool in_conflict(int a, int b);
   bool known(const Candidate& candidate) const;
   void reject(int i, const std::string& reason);
@@ -45,11 +47,16 @@ class SceneSearch {
   std::vector<RankedHypothesis> rank_rest();
   bool try_batch();
   void add(int hypothesis);
+  void add(const Candidate& candidate);
   void fill();
   void judge(int i);
   bool remove_worst();
   void settle();
   void find_rivals(int winner);
+  void add_turned(int winner);
+  bool mirrored_as_good(int winner);
+  int best_rival(int winner);
+  void settle_rivals(int winner);
   bool is_rival(int i, int winner);
   void settle_rivals();
 
@@ -62,6 +69,7 @@ class SceneSearch {
   std::map<int, std::vector<int>> judged_in_;  ///< the neighbours an object was last judged with
   std::map<int, int> runner_up_;
   std::map<int, InnerPoints> inner_;
+  std::map<int, Lookalikes> lookalikes_;
 };
 
 }  // namespace trihedron

@@ -21,16 +21,20 @@ constexpr double kShortPx = 10;
 /// Independent answers that one piece can give about its model edge at most.
 constexpr double kAnswers = 5;
 
-/// Probabilities of an answer (found, displaced, flat) at a point of a predicted edge.
-using Answers = std::array<double, 3>;
+/// Probabilities of an answer (found, displaced, flat) at a point of a predicted edge, and of a
+/// faint step along the whole piece.
+using Answers = std::array<double, 4>;
 /// ... where the edge is as predicted and has contrast,
-constexpr Answers kPresent = {0.96, 0.01, 0.03};
-/// ... where the surfaces on both sides are equally bright,
-constexpr Answers kWeak = {0.15, 0.05, 0.80};
+constexpr Answers kPresent = {0.96, 0.01, 0.03, 0.03};
+/// ... where the surfaces on both sides are nearly equally bright,
+constexpr Answers kWeak = {0.15, 0.05, 0.80, 0.5};
 /// ... where the edge is elsewhere and seen there,
-constexpr Answers kBeside = {0.10, 0.75, 0.15};
+constexpr Answers kBeside = {0.10, 0.75, 0.15, 0.02};
 /// ... where it is elsewhere, out of reach, or something unknown hides it.
-constexpr Answers kNothing = {0.10, 0.05, 0.85};
+constexpr Answers kNothing = {0.10, 0.05, 0.85, 0.05};
+/// A faint step's log likelihood ratio, edge against chance: 2 % of the pieces of objects that are
+/// there show one, 0.8 % of the pieces predicted where nothing is.
+constexpr double kLogWeak = 0.9;
 /// Shares of weak and of otherwise spoilt pieces (shadows, unknown occluders) of an object that
 /// is there, from the physics of diffuse surfaces: a contrast of less than 2 % of the range has
 /// about this probability.
@@ -38,8 +42,9 @@ constexpr double kWeakShare = 0.06, kSpoiltShare = 0.04;
 
 double likelihood(const PieceEvidence& piece, const Answers& p) {
   const double n = std::min<double>(piece.points, kAnswers);
-  return std::exp(n * ((piece.found + piece.weak) * std::log(p[0]) +
-                       piece.displaced * std::log(p[1]) + piece.flat * std::log(p[2])));
+  return std::exp(n * (piece.found * std::log(p[0]) + piece.displaced * std::log(p[1]) +
+                       piece.flat * std::log(p[2])) +
+                  piece.weak * std::log(p[3]));
 }
 
 /// Likelihood of a piece whose edge is not where it is predicted.
@@ -185,12 +190,14 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
   for (const PieceEvidence& piece : evidence.pieces) {
     const double p =
         chance[piece.view].found[ContourField::bin_of(piece.normal.x(), piece.normal.y())];
-    const double answers = std::min(piece.length_px / kIndependentPx, kAnswers);
+    const double answers = std::min(piece.points * kEvidenceStepPx / kIndependentPx, kAnswers);
     n += answers;
     p_sum += answers * p;
     found += answers * piece.found;
+    const double missed = 1 - piece.found - piece.weak;
     out.log_against_chance +=
-        answers * (piece.found * std::log(0.95 / p) + (1 - piece.found) * std::log(0.05 / (1 - p)));
+        answers * (piece.found * std::log(0.95 / p) + missed * std::log(0.05 / (1 - p))) +
+        piece.weak * kLogWeak;
     out.visible_px += piece.length_px;
     out.found_share += piece.length_px * piece.found;
   }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "recognition/lookalikes.hpp"
 #include "recognition/rigs.hpp"
 #include "recognition/solid_overlap.hpp"
 
@@ -73,6 +74,46 @@ TEST_CASE("a rejected hypothesis says how the shape differs") {
   const auto result = explain(views, library, {{0, nearby(kPose), 1}});
   REQUIRE(result.rejections.size() == 1);
   CHECK_THAT(result.rejections[0].reason, Catch::Matchers::Contains("similar shape: surface"));
+}
+
+TEST_CASE("a model is told from its mirror image by the one corner that differs") {
+  const Model truth = rigs::centred(1, "cut", shapes::cut_block());
+  const Model mirrored = scaled(truth, {-1, 1, 1});
+  const Transform seen = rigs::pose({0.1, 0.05, 0.6}, {-5, 4, 32});
+  CHECK(explain(views_of({{&truth, seen}}), {truth}, {{0, nearby(seen), 1}}).objects.size() == 1);
+  for (const Transform& turn : find_lookalikes(truth).mirrored_onto) {
+    // The model in the place of its mirror image.
+    const auto views = views_of({{&mirrored, seen}});
+    CHECK(explain(views, {truth}, {{0, seen * turn.inverse(), 1}}).objects.empty());
+  }
+}
+
+TEST_CASE("where no view would show the corner that differs, the model is refused") {
+  const Model truth = rigs::centred(1, "cut", shapes::cut_block());
+  // Turned over, the cut corner lies on the table, away from the front camera and the side camera.
+  const Transform over =
+      rigs::pose({0, 0, 0.02}, {0, 0, 20}) * rigs::pose({0, 3.14159265358979, 0}, {0, 0, 0});
+  auto views = views_of({{&truth, over}});
+  // The mirror image would show its own to one of three cameras, not to the first two.
+  CHECK(explain(views, {truth}, {{0, over, 1}}).objects.size() == 1);
+  views.pop_back();
+  const auto result = explain(views, {truth}, {{0, over, 1}});
+  CHECK(result.objects.empty());
+  REQUIRE_FALSE(result.rejections.empty());
+}
+
+TEST_CASE("a pose that agrees in most edges gives way to the one that agrees in all") {
+  const Model truth = rigs::centred(1, "cut", shapes::cut_block());
+  const auto views = views_of({{&truth, kPose}});
+  int right = 0;
+  for (const Transform& turn : find_lookalikes(truth).turned) {
+    const auto result = explain(views, {truth}, {{0, kPose * turn, 1}});
+    for (const RecognizedObject& object : result.objects) {
+      CHECK(pose_distance(truth, object.world_from_model, kPose) < 0.1);
+      ++right;
+    }
+  }
+  CHECK(right > 0);
 }
 
 TEST_CASE("objects that hide each other are all recognised") {

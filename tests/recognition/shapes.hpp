@@ -78,4 +78,21 @@ inline Mesh subdivided(const Mesh& mesh) {
   return out;
 }
 
+/// A block of 60 x 50 x 40 mm with one upper corner cut off, at other distances along each edge:
+/// no two of the corner's eight places on a block are alike.
+inline Mesh cut_block() {
+  Mesh mesh = block(60, 50, 40);
+  mesh.vertices[6] = {60, 50, 28};
+  mesh.vertices.emplace_back(48, 50, 40);
+  mesh.vertices.emplace_back(60, 32, 40);
+  mesh.triangles.clear();
+  const std::vector<std::vector<int>> surfaces = {{0, 3, 2, 1},    {4, 5, 9, 8, 7}, {0, 1, 5, 4},
+                                                  {1, 2, 6, 9, 5}, {3, 7, 8, 6, 2}, {0, 4, 7, 3},
+                                                  {6, 8, 9}};
+  for (const std::vector<int>& corners : surfaces)
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  return mesh;
+}
+
 }  // namespace trihedron::shapes
