@@ -22,7 +22,7 @@ module line_memory #(
     illegal_Width_must_be_at_least_1_and_Depth_at_least_2 stop ();
   end
 
-  logic [Width-1:0] memory[Depth];
+  (* no_rw_check *) logic [Width-1:0] memory[Depth];
 
   always_ff @(posedge clk_i) begin
     if (wen_i) memory[waddr_i] <= wdata_i;
