@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The spline derivatives of a 5x5 window of pixels, built from column sums.
+// The spline derivatives of a 5x5 window of pixels, from column sums and accumulators along the row.
 //
 //   H = smooth(y) (x) slope(x), V its transpose;  slope = [-1 -6 0 6 1], smooth = [1 4 6 4 1]
 //   A = D - E of the two diagonal derivatives, B = D + E its transpose: A weighs the column right
 //   of the centre by [1 4 10 4 1], the next by [1 3 6 3 1], those to the left by the negatives
 //
-// With the column sums S (smooth), m (rows -1 and +1), the centre row's pixel c, and p, q (rows
-// +1 minus -1, +2 minus -2), where s1 = S[+1] - S[-1], s2 = S[+2] - S[-2], and so on:
-//   H = 6 s1 + s2,         A = s1 + s2 + 4 c1 - m2
-//   V = smooth(6 p + q),   B = smooth(p + q) + 4 p[0] - q[-1] - q[+1]   along the row
+// With the column sums s (smooth), m (rows -1 and +1), the centre row's pixel c, p and q (rows +1
+// minus -1, +2 minus -2), and the columns -2 .. 2 of the window:
+//   H = s[2] + 6 s[1] - 6 s[-1] - s[-2]
+//   A = u[2] + t[1] - t[-1] - u[-2]                   u = s - m, t = s + 4 c
+//   V = r[2] + 4 r[1] + 6 r[0] + 4 r[-1] + r[-2]      r = 6 p + q
+//   B = w[2] + e[1] + 2 f[0] + e[-1] + w[-2]          w = p + q, e = 4 w - q, f = e + p
 //
 //   valid_i, column_i  newest column of the window, oldest row in the low byte
 //   h_o, v_o           |.| <= 112 * 255;  a_o, b_o  |.| <= 34 * 255
 //
-// Latency 7 clocks (the centre is two columns behind), 1 beat per clock.
+// Latency 4 clocks (the centre is two columns behind), 1 beat per clock.
 module derivatives (
     input  logic               clk_i,
     input  logic               valid_i,
@@ -26,14 +28,15 @@ module derivatives (
 );
   // Clocks 1-3: column sums.
   logic [2:0] valid_q;
-  logic [7:0] c1_q, c2_q, c3_q;
-  logic [8:0] outer_q, m1_q, m2_q, m3_q;
-  logic [10:0] c6_q;
-  logic [11:0] s2_q, s3_q;
-  logic signed [8:0] p1_q, p2_q, q1_q, q2_q;
-  logic signed [9:0] w2_q;
-  logic signed [11:0] p6_q, r3_q;
-
+  logic [7:0] c1_q, c2_q;
+  logic [8:0] outer_q, m1_q, m2_q;
+  logic signed [8:0] p1_q, q1_q, p2_q;
+  logic [11:0] s2_q, s_q, u_q;
+  logic [12:0] t_q;
+  logic [14:0] s6_q;
+  logic signed [9:0] w2_q, w_q;
+  logic signed [11:0] r2_q, e2_q, r_q, e_q, f_q;
+  logic signed [14:0] r6_q;
   always_ff @(posedge clk_i) begin
     valid_q <= {valid_q[1:0], valid_i};
     outer_q <= {1'b0, column_i[7:0]} + {1'b0, column_i[39:32]};
@@ -42,84 +45,55 @@ module derivatives (
     p1_q    <= $signed({1'b0, column_i[31:24]}) - $signed({1'b0, column_i[15:8]});
     q1_q    <= $signed({1'b0, column_i[39:32]}) - $signed({1'b0, column_i[7:0]});
 
-    s2_q <= 12'(outer_q) + {1'b0, m1_q, 2'b0};
-    c6_q <= {1'b0, c1_q, 2'b0} + {2'b0, c1_q, 1'b0};
-    c2_q <= c1_q;
-    m2_q <= m1_q;
-    p6_q <= 12'($signed({p1_q, 2'b0})) + 12'($signed({p1_q, 1'b0}));
+    s2_q <= (12'(outer_q) + {1'b0, m1_q, 2'b0}) + (12'({c1_q, 2'b0}) + 12'({c1_q, 1'b0}));
+    r2_q <= (12'($signed({p1_q, 2'b0})) + 12'($signed({p1_q, 1'b0}))) + 12'(q1_q);
+    e2_q <= (12'($signed({p1_q, 2'b0})) + 12'($signed({q1_q, 1'b0}))) + 12'(q1_q);
     w2_q <= 10'(p1_q) + 10'(q1_q);
+    m2_q <= m1_q;
+    c2_q <= c1_q;
     p2_q <= p1_q;
-    q2_q <= q1_q;
 
-    s3_q <= s2_q + 12'(c6_q);
-    c3_q <= c2_q;
-    m3_q <= m2_q;
-    r3_q <= p6_q + 12'(q2_q);
+    s6_q <= {1'b0, s2_q, 2'b0} + {2'b0, s2_q, 1'b0};
+    u_q  <= s2_q - 12'(m2_q);
+    t_q  <= 13'(s2_q) + {3'b0, c2_q, 2'b0};
+    r6_q <= 15'($signed({r2_q, 2'b0})) + 15'($signed({r2_q, 1'b0}));
+    f_q  <= e2_q + 12'(p2_q);
+    {s_q, r_q, w_q, e_q} <= {s2_q, r2_q, w2_q, e2_q};
   end
 
-  // Clocks 3, 4: the last five columns' sums, newest in the low bits.
-  logic [5*12-1:0] s_q, r_q;
-  logic [5*9-1:0] m_q;
-  logic [4*8-1:0] c_q;
-  logic [5*10-1:0] w_q;
-  logic [4*9-1:0] q_q;
-  logic [3*9-1:0] p_q;
+  // Clock 4: along the row. *4_q .. *1_q hold what the last columns add to the windows that are
+  // still 1 .. 4 columns short.
+  logic [11:0] h4_q, a4_q;
+  logic [14:0] h3_q, h2_q;
+  logic [13:0] a3_q, a2_q;
+  logic signed [15:0] h1_q, v2_q, v1_q;
+  logic signed [14:0] a1_q, v3_q;
+  logic signed [11:0] v4_q;
+  logic signed [9:0] b4_q;
+  logic signed [12:0] b3_q;
+  logic signed [13:0] b2_q, b1_q;
   always_ff @(posedge clk_i) begin
-    if (valid_q[1]) begin
-      w_q <= {w_q[4*10-1:0], w2_q};
-      q_q <= {q_q[3*9-1:0], q2_q};
-      p_q <= {p_q[2*9-1:0], p2_q};
-    end
     if (valid_q[2]) begin
-      s_q <= {s_q[4*12-1:0], s3_q};
-      m_q <= {m_q[4*9-1:0], m3_q};
-      c_q <= {c_q[3*8-1:0], c3_q};
-      r_q <= {r_q[4*12-1:0], r3_q};
+      h4_q <= s_q;
+      h3_q <= 15'(h4_q) + s6_q;
+      h2_q <= h3_q;
+      h1_q <= $signed({1'b0, s6_q}) - $signed({1'b0, h2_q});
+      a4_q <= u_q;
+      a3_q <= 14'(a4_q) + 14'(t_q);
+      a2_q <= a3_q;
+      a1_q <= $signed({2'b0, t_q}) - $signed({1'b0, a2_q});
+      v4_q <= r_q;
+      v3_q <= 15'(v4_q) + 15'($signed({r_q, 2'b0}));
+      v2_q <= 16'(v3_q) + 16'(r6_q);
+      v1_q <= v2_q + 16'($signed({r_q, 2'b0}));
+      b4_q <= w_q;
+      b3_q <= 13'(b4_q) + 13'(e_q);
+      b2_q <= 14'(b3_q) + 14'($signed({f_q, 1'b0}));
+      b1_q <= b2_q + 14'(e_q);
     end
-  end
-
-  // Clocks 4-7: along the row.
-  logic signed [12:0] s_near_q, s_far_q, s_far6_q;
-  logic signed [8:0] c_near_q;
-  logic signed [9:0] m_far_q, q_near_q;
-  logic signed [15:0] s_near6_q, r_sum_q;
-  logic signed [13:0] s_both_q, w_sum_q, w_all_q;
-  logic signed [11:0] cm_q, w_mid_q, pq5_q, pq6_q;
-  logic signed [12:0] r04_q, r13_q, w_mid6_q;
-  logic signed [13:0] r_mid_q;
-  logic signed [14:0] r_mid6_q;
-  logic signed [10:0] w04_q, w13_q, p4_q;
-
-  always_ff @(posedge clk_i) begin
-    w04_q    <= 11'($signed(w_q[0+:10])) + 11'($signed(w_q[40+:10]));
-    w13_q    <= 11'($signed(w_q[10+:10])) + 11'($signed(w_q[30+:10]));
-    w_mid_q  <= 12'($signed({w_q[20+:10], 1'b0})) + 12'($signed(w_q[20+:10]));
-    q_near_q <= 10'($signed(q_q[9+:9])) + 10'($signed(q_q[27+:9]));
-    p4_q     <= $signed({p_q[18+:9], 2'b0});
-
-    w_sum_q  <= 14'(w04_q) + 14'($signed({w13_q, 2'b0}));
-    w_mid6_q <= $signed({w_mid_q, 1'b0});
-    pq5_q    <= 12'(p4_q) - 12'(q_near_q);
-    s_near_q <= $signed({1'b0, s_q[12+:12]}) - $signed({1'b0, s_q[36+:12]});
-    s_far_q  <= $signed({1'b0, s_q[0+:12]}) - $signed({1'b0, s_q[48+:12]});
-    c_near_q <= $signed({1'b0, c_q[8+:8]}) - $signed({1'b0, c_q[24+:8]});
-    m_far_q  <= $signed({1'b0, m_q[0+:9]}) - $signed({1'b0, m_q[36+:9]});
-    r04_q    <= 13'($signed(r_q[0+:12])) + 13'($signed(r_q[48+:12]));
-    r13_q    <= 13'($signed(r_q[12+:12])) + 13'($signed(r_q[36+:12]));
-    r_mid_q  <= 14'($signed({r_q[24+:12], 1'b0})) + 14'($signed(r_q[24+:12]));
-
-    w_all_q   <= w_sum_q + 14'(w_mid6_q);
-    pq6_q     <= pq5_q;
-    s_near6_q <= 16'($signed({s_near_q, 2'b0})) + 16'($signed({s_near_q, 1'b0}));
-    s_far6_q  <= s_far_q;
-    s_both_q  <= 14'(s_near_q) + 14'(s_far_q);
-    cm_q      <= 12'($signed({c_near_q, 2'b0})) - 12'(m_far_q);
-    r_sum_q   <= 16'(r04_q) + 16'($signed({r13_q, 2'b0}));
-    r_mid6_q  <= $signed({r_mid_q, 1'b0});
-
-    h_o <= s_near6_q + 16'(s_far6_q);
-    v_o <= r_sum_q + 16'(r_mid6_q);
-    a_o <= 15'(s_both_q) + 15'(cm_q);
-    b_o <= 15'(w_all_q) + 15'(pq6_q);
+    h_o <= h1_q + $signed({4'b0, s_q});
+    a_o <= a1_q + $signed({3'b0, u_q});
+    v_o <= v1_q + 16'(r_q);
+    b_o <= 15'(b1_q) + 15'(w_q);
   end
 endmodule

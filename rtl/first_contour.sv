@@ -7,12 +7,14 @@
 //   first = c >= noise_floor
 //           and 32 sum{n <= c} n < mean_limit c count{n <= c}
 //           and 4 p >= 3 c, 4 q >= 3 c for two inner neighbours p, q that do not touch each other
+//   crest = first and m(p - s) < c and m(p + s) <= c, s the step across the contour (gradient)
 //
 //   noise_floor_i, mean_limit_i   thresholds
-//   slot in, out                  see line_window; data_i = {step, magnitude},
-//                                 data_o = {first, step, magnitude} of the centre pixel
+//   slot in, out                  see line_window; data_i = {step, magnitude}
+//   data_o                        one clock behind its slot: {crest, first} of the centre pixel,
+//                                 magnitudes of the pixels two and one above it and its own
 //
-// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: not first contour.
+// Latency 2 rows + 2 columns + 8 clocks (data_o 9), 1 beat per clock. Border: not first contour.
 module first_contour #(
     parameter int MaxWidthPx    = 1920,
     parameter int MagnitudeBits = 9
@@ -32,13 +34,13 @@ module first_contour #(
     output logic                     sof_o,
     output logic                     real_o,
     output logic [              1:0] fault_o,
-    output logic [MagnitudeBits+2:0] data_o
+    output logic [3*MagnitudeBits+1:0] data_o
 );
   localparam int M = MagnitudeBits;
-  localparam int Latency = 8;
+  localparam int Latency = 7;
 
   logic [25*M-1:0] window;
-  logic valid, sol, sof, is_real, in_frame;
+  logic column_valid, valid, sol, sof, is_real, in_frame;
   logic [1:0] fault, step;
   line_window #(
       .Width    (M),
@@ -54,6 +56,8 @@ module first_contour #(
       .fault_i,
       .data_i(data_i[M-1:0]),
       .side_i(data_i[M+1:M]),
+      .column_valid_o(column_valid),
+      .column_o(),
       .window_o(window),
       .side_o(step),
       .valid_o(valid),
@@ -71,7 +75,7 @@ module first_contour #(
       .end_fault_o()
   );
 
-  // Clocks 1-6: sum (clock 6) and count (clock 4) of the neighbours that are not above the centre.
+  // Clocks 1-6: sum (clock 6) and count (clock 3) of the neighbours that are not above the centre.
   logic [M-1:0] centre;
   logic [24*M-1:0] kept_q;
   logic [23:0] keeps_q;
@@ -80,9 +84,9 @@ module first_contour #(
   logic [3*(M+3)-1:0] sum3_q;
   logic [M+3:0] sum2_q;
   logic [M+2:0] sum1_q;
-  logic [M+4:0] sum_q, sum_late_q;
+  logic [M+4:0] sum_q;
   logic [17:0] count6_q;
-  logic [4:0] count_low_q, count_high_q, count_q;
+  logic [4:0] count_q;
   assign centre = window[12*M+:M];
 
   always_ff @(posedge clk_i) begin
@@ -106,14 +110,13 @@ module first_contour #(
     sum2_q       <= (M + 4)'(sum3_q[0+:M+3]) + (M + 4)'(sum3_q[M+3+:M+3]);
     sum1_q       <= sum3_q[2*(M+3)+:M+3];
     sum_q        <= (M + 5)'(sum2_q) + (M + 5)'(sum1_q);
-    sum_late_q   <= sum_q;
-    count_low_q  <= 5'(count6_q[0+:3]) + 5'(count6_q[3+:3]) + 5'(count6_q[6+:3]);
-    count_high_q <= 5'(count6_q[9+:3]) + 5'(count6_q[12+:3]) + 5'(count6_q[15+:3]);
-    count_q      <= count_low_q + count_high_q;
+    count_q      <= ((5'(count6_q[0+:3]) + 5'(count6_q[3+:3])) +
+                     (5'(count6_q[6+:3]) + 5'(count6_q[9+:3]))) +
+                    (5'(count6_q[12+:3]) + 5'(count6_q[15+:3]));
   end
 
-  // Clocks 1-7: mean_limit c count.
-  logic [M+4:0] limit, limit_late_q;
+  // Clocks 1-6: mean_limit c count.
+  logic [M+4:0] limit;
   logic [M+9:0] bound;
   scale5 #(
       .Width(M)
@@ -123,55 +126,82 @@ module first_contour #(
       .factor_i (mean_limit_i),
       .product_o(limit)
   );
-  always_ff @(posedge clk_i) limit_late_q <= limit;
   scale5 #(
       .Width(M + 5)
   ) i_bound (
       .clk_i,
-      .value_i  (limit_late_q),
+      .value_i  (limit),
       .factor_i (count_q),
       .product_o(bound)
   );
 
-  // Clocks 1-3: inner neighbours (columns 1-3, rows 1-3) that can carry a path, and the path.
-  logic [8*M-1:0] inner_q;
+  // Clocks 1, 2: inner neighbours (columns 1-3, rows 1-3) that can carry a path, and the path.
+  logic [8*M-1:0] inner;
   logic [M+1:0] centre3_q;
   logic [7:0] on_q;
-  logic floor_q, floor_late_q, path_q;
+  logic floor_q, path_q;
   logic nw, n, ne, w, e, sw, s, se;
+  assign inner = {window[16*M+:3*M], window[13*M+:M], window[11*M+:M], window[6*M+:3*M]};
   assign {se, e, ne, s, n, sw, w, nw} = on_q;
   always_ff @(posedge clk_i) begin
-    inner_q <= {window[16*M+:3*M], window[13*M+:M], window[11*M+:M], window[6*M+:3*M]};
-    centre3_q <= (M + 2)'(centre) + {1'b0, centre, 1'b0};
+    // Three times the pixel that becomes the centre with the next column.
+    if (column_valid) centre3_q <= (M + 2)'(window[17*M+:M]) + {1'b0, window[17*M+:M], 1'b0};
+    for (int i = 0; i < 8; i++) on_q[i] <= {inner[i*M+:M], 2'b0} >= centre3_q;
     floor_q <= in_frame && centre >= noise_floor_i;
-    for (int i = 0; i < 8; i++) on_q[i] <= {inner_q[i*M+:M], 2'b0} >= centre3_q;
-    floor_late_q <= floor_q;
-    path_q <= floor_late_q &&
-              ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
-               (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
-               (ne && (sw || se)) || (sw && se));
+    path_q  <= floor_q && ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
+                           (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
+                           (ne && (sw || se)) || (sw && se));
   end
 
-  logic path_late, first_q;
-  logic [M+1:0] payload;
+  // Clocks 1, 2: highest across the contour.
+  logic [M-1:0] before_q, after_q, centre1_q;
+  logic highest_q;
+  always_ff @(posedge clk_i) begin
+    case (step)
+      2'd0: {before_q, after_q} <= {window[7*M+:M], window[17*M+:M]};
+      2'd1: {before_q, after_q} <= {window[11*M+:M], window[13*M+:M]};
+      2'd2: {before_q, after_q} <= {window[6*M+:M], window[18*M+:M]};
+      default: {before_q, after_q} <= {window[8*M+:M], window[16*M+:M]};
+    endcase
+    centre1_q <= centre;
+    highest_q <= before_q < centre1_q && after_q <= centre1_q;
+  end
+
+  // Clock 7.
+  logic path_late, highest_late, first, crest_q, first_q;
+  assign first = path_late && {sum_q, 5'b0} < bound;
+  always_ff @(posedge clk_i) begin
+    first_q <= first;
+    crest_q <= first && highest_late;
+  end
   delay_line #(
-      .Width (1),
-      .Clocks(4)
+      .Width (2),
+      .Clocks(Latency - 3)
   ) i_path (
       .clk_i,
       .rst_ni,
-      .data_i(path_q),
-      .data_o(path_late)
+      .data_i({path_q, highest_q}),
+      .data_o({path_late, highest_late})
+  );
+
+  logic [3*M-1:0] magnitudes_late;
+  assign data_o = {crest_q, first_q, magnitudes_late};
+  delay_line #(
+      .Width (3 * M),
+      .Clocks(Latency)
+  ) i_magnitudes (
+      .clk_i,
+      .rst_ni,
+      .data_i({window[10*M+:M], window[11*M+:M], centre}),
+      .data_o(magnitudes_late)
   );
   delay_line #(
-      .Width (8 + M),
-      .Clocks(Latency)
+      .Width (6),
+      .Clocks(Latency - 1)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid, sol, sof, is_real, fault, step, centre}),
-      .data_o({valid_o, sol_o, sof_o, real_o, fault_o, payload})
+      .data_i({valid, sol, sof, is_real, fault}),
+      .data_o({valid_o, sol_o, sof_o, real_o, fault_o})
   );
-  assign data_o = {first_q, payload};
-  always_ff @(posedge clk_i) first_q <= path_late && {sum_late_q, 5'b0} < bound;
 endmodule

@@ -7,10 +7,11 @@
 //              (2 |gx| < |gy|), else 2 falling (gx and gy of one sign), 3 rising
 //
 //   slot in, out      see slot_tracker; data_o = {step, magnitude} of the centre pixel
-//   tail_*            the slot stream six rows back with the window's five oldest rows: the
-//                     pixels of the centre that leaves second_contour, for slope
+//   tail_column_o     in the clocks with tail_column_valid_o, the window's five oldest rows: around
+//                     the centre that leaves second_contour, for slope
+//   tail_*            one clock later, the slot stream six rows back
 //
-// Latency 2 rows + 2 columns + 14 clocks, 1 beat per clock. Border: magnitude 0.
+// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: magnitude 0.
 module gradient #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -29,17 +30,18 @@ module gradient #(
     output logic                    real_o,
     output logic [             1:0] fault_o,
     output logic [FractionBits+7:0] data_o,
+    output logic                    tail_column_valid_o,
+    output logic [            39:0] tail_column_o,
     output logic                    tail_valid_o,
     output logic                    tail_sol_o,
     output logic                    tail_sof_o,
     output logic                    tail_real_o,
-    output logic [             1:0] tail_fault_o,
-    output logic [            39:0] tail_column_o
+    output logic [             1:0] tail_fault_o
 );
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
   localparam int Rows = 11;
-  localparam int Latency = 12;
+  localparam int Latency = 8;
 
   logic sol, sof, is_real, in_frame, in_frame_late;
   logic [1:0] fault;
@@ -48,7 +50,6 @@ module gradient #(
   line_window #(
       .Width     (8),
       .Rows      (Rows),
-      .Columns   (1),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -60,7 +61,9 @@ module gradient #(
       .fault_i,
       .data_i,
       .side_i(1'b0),
-      .window_o({column, unused_rows, tail_column_o}),
+      .column_valid_o(tail_column_valid_o),
+      .column_o({column, unused_rows, tail_column_o}),
+      .window_o(),
       .side_o(),
       .valid_o(tail_valid_o),
       .sol_o(sol),
@@ -83,14 +86,14 @@ module gradient #(
       .FractionBits(FractionBits)
   ) i_kernel (
       .clk_i,
-      .valid_i(tail_valid_o),
+      .valid_i(tail_column_valid_o),
       .column_i(column),
       .gx_o(gx),
       .gy_o(gy),
       .magnitude_o(magnitude)
   );
 
-  // Clocks 10-12. |gx|, |gy| < 96 scale fit S - 1 bits.
+  // Clocks 7-9. |gx|, |gy| < 96 scale fit S - 1 bits.
   logic [S-2:0] ax_q, ay_q;
   logic same_sign_q, same_sign_late_q, horizontal_q, vertical_q;
   always_ff @(posedge clk_i) begin

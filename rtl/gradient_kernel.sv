@@ -9,8 +9,8 @@
 // away from zero: mirrored images have mirrored gradients.
 //
 //   valid_i, column_i  newest column of the window, oldest row in the low byte
-//   gx_o, gy_o         9 clocks later, |.| < 96 grey levels per px
-//   magnitude_o        11 clocks later
+//   gx_o, gy_o         6 clocks later, |.| < 96 grey levels per px
+//   magnitude_o        8 clocks later
 //
 // 1 beat per clock; the centre is two columns behind.
 module gradient_kernel #(
@@ -42,7 +42,7 @@ module gradient_kernel #(
       .b_o(b)
   );
 
-  // Clocks 8, 9: the vector.
+  // Clocks 5, 6: the vector.
   logic signed [17:0] x_q, y_q;
   function automatic logic [FractionBits+7:0] rounded(input logic signed [17:0] sum);
     rounded = (FractionBits + 8)'((sum + Half - (sum < 0 ? 18'sd1 : 18'sd0)) >>> Shift);
@@ -54,7 +54,7 @@ module gradient_kernel #(
     gy_o <= rounded(y_q);
   end
 
-  // Clocks 8-11: the magnitude.
+  // Clocks 5-8: the magnitude.
   logic [14:0] abs_h_q, abs_v_q;
   logic [13:0] abs_a_q, abs_b_q, diagonal_q;
   logic [15:0] straight_q;

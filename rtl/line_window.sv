@@ -3,19 +3,22 @@
 // The neighbourhood of every pixel of a stream of row slots, from one line memory.
 //
 //   slot in    see slot_tracker; data_i one pixel, side_i what only the centre needs
-//   window_o   pixel (column i, row j) at bit (Rows i + j) Width, oldest first; Columns columns
-//              that end with the newest
-//   centre     two rows and columns back: side_o, valid_o .. inside_o, see slot_tracker
-//   tail_*     the slot stream Rows - 5 rows back, in step with window_o: for a second tracker of
-//              the window's five oldest rows
+//   column_o   the newest column straight from the memory, oldest row in the low bits, in the
+//              clocks with column_valid_o: for a kernel that keeps its own column sums
+//   window_o   one clock later, five columns; pixel (column i, row j) at bit (Rows i + j) Width,
+//              oldest first
+//   centre     in step with window_o, two rows and columns back: side_o, valid_o .. inside_o, see
+//              slot_tracker
+//   tail_*     in step with window_o, the slot stream Rows - 5 rows back: for a second tracker
+//              of the five oldest rows
 //   end_*      see slot_tracker
 //
 // Latency 2 clocks and 2 rows + 2 columns to the centre; 1 beat per clock.
 module line_window #(
     parameter int Width      = 8,    // bits per pixel
     parameter int SideWidth  = 0,    // bits per pixel that only the centre needs
+    parameter int SideRows   = 2,    // rows the side data wait: 2, or 0 if they come two rows late
     parameter int Rows       = 5,    // 5, 9 .. 17
-    parameter int Columns    = 5,    // 1 .. 5, for a kernel that keeps its own column sums
     parameter int MaxWidthPx = 1920  // longest row, px
 ) (
     input  logic                                 clk_i,
@@ -27,7 +30,9 @@ module line_window #(
     input  logic [                          1:0] fault_i,
     input  logic [                    Width-1:0] data_i,
     input  logic [(SideWidth>0?SideWidth:1)-1:0] side_i,
-    output logic [       Rows*Columns*Width-1:0] window_o,
+    output logic                                 column_valid_o,
+    output logic [               Rows*Width-1:0] column_o,
+    output logic [             5*Rows*Width-1:0] window_o,
     output logic [(SideWidth>0?SideWidth:1)-1:0] side_o,
     output logic                                 valid_o,
     output logic                                 sol_o,
@@ -43,13 +48,13 @@ module line_window #(
     output logic                                 end_o,
     output logic [                          1:0] end_fault_o
 );
-  if (Width < 1 || SideWidth < 0 || Columns < 1 || Columns > 5 ||
+  if (Width < 1 || SideWidth < 0 || !(SideRows == 0 || SideRows == 2) ||
       !(Rows == 5 || (Rows >= 9 && Rows <= 17))) begin : gen_illegal
-    illegal_Width_at_least_1_SideWidth_at_least_0_Columns_1_to_5_Rows_5_or_9_to_17 stop ();
+    illegal_Width_at_least_1_SideWidth_at_least_0_SideRows_0_or_2_Rows_5_or_9_to_17 stop ();
   end
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int OlderWidth = (Rows - 1) * Width;
-  localparam int MemoryWidth = OlderWidth + 2 * SideWidth;
+  localparam int MemoryWidth = OlderWidth + SideRows * SideWidth;
 
   logic valid1;
   logic [ColBits-1:0] col, col1;
@@ -101,14 +106,19 @@ module line_window #(
       .rdata_o(memory_out)
   );
 
-  // Side data wait two rows in the memory and two columns in registers.
+  // Side data wait in the memory and two columns in registers.
   if (SideWidth > 0) begin : gen_side
-    logic [SideWidth-1:0] side1_q, side2_q, side3_q;
-    assign memory_in[MemoryWidth-1:OlderWidth] = {side1_q, memory_out[MemoryWidth-1-:SideWidth]};
+    logic [SideWidth-1:0] side1_q, side2_q, side3_q, side_late;
+    if (SideRows == 2) begin : gen_rows
+      assign memory_in[MemoryWidth-1:OlderWidth] = {side1_q, memory_out[MemoryWidth-1-:SideWidth]};
+      assign side_late = memory_out[OlderWidth+:SideWidth];
+    end else begin : gen_no_rows
+      assign side_late = side1_q;
+    end
     always_ff @(posedge clk_i) begin
       side1_q <= side_i;
       if (valid1) begin
-        side2_q <= memory_out[OlderWidth+:SideWidth];
+        side2_q <= side_late;
         side3_q <= side2_q;
         side_o  <= side3_q;
       end
@@ -120,14 +130,10 @@ module line_window #(
   end
 
   // Clock 1: the new column joins the window.
-  logic [Rows*Width-1:0] newest;
-  assign newest = {data1_q, memory_out[OlderWidth-1:0]};
-  if (Columns == 1) begin : gen_column
-    always_ff @(posedge clk_i) if (valid1) window_o <= newest;
-  end else begin : gen_window
-    always_ff @(posedge clk_i) begin
-      if (valid1) window_o <= {newest, window_o[Rows*Columns*Width-1:Rows*Width]};
-    end
+  assign column_valid_o = valid1;
+  assign column_o = {data1_q, memory_out[OlderWidth-1:0]};
+  always_ff @(posedge clk_i) begin
+    if (valid1) window_o <= {column_o, window_o[5*Rows*Width-1:Rows*Width]};
   end
 
   // The window moves exactly with the beats.

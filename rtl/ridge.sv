@@ -2,16 +2,18 @@
 //
 // Stage 3, first window: first-contour pixels on the ridge of the magnitude m.
 //
-//   ridge = first and sum{5x5, first} m >= support and m(p - s) < m(p) and m(p + s) <= m(p)
-//   floor = m(p) >= noise_floor
-//
-// with s the step across the contour, from gradient.
+//   ridge = crest and sum{5x5, first} m >= support
+//   floor = m >= noise_floor
 //
 //   support_i, noise_floor_i   thresholds
-//   slot in, out               see slot_tracker; data_i = {first, step, magnitude},
-//                              data_o = {floor, first, ridge} of the centre pixel
+//   slot in, data_i            see first_contour
+//   slot out, data_o           {floor, first} of the pixel two rows above the centre, which
+//                              second_contour needs next, and ridge of the centre pixel
 //
-// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: no ridge.
+// The magnitudes of a row and the two above come with data_i; two older ones wait in the line
+// memory. The sum goes column by column, then along the row.
+//
+// Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no ridge.
 module ridge #(
     parameter int MaxWidthPx    = 1920,
     parameter int MagnitudeBits = 9
@@ -25,7 +27,7 @@ module ridge #(
     input  logic                     sof_i,
     input  logic                     real_i,
     input  logic [              1:0] fault_i,
-    input  logic [MagnitudeBits+2:0] data_i,
+    input  logic [3*MagnitudeBits+1:0] data_i,
     output logic                     valid_o,
     output logic                     sol_o,
     output logic                     sof_o,
@@ -34,18 +36,15 @@ module ridge #(
     output logic [              2:0] data_o
 );
   localparam int M = MagnitudeBits;
-  localparam int P = M + 1;  // window pixel {first, magnitude}
-  localparam int Latency = 8;
+  localparam int ColBits = $clog2(MaxWidthPx);
+  localparam int Latency = 4;
 
-  // The four left columns are needed in rows 1 .. 3 around the centre only.
-  logic [25*P-1:0] window;
-  logic valid, sol, sof, is_real, in_frame;
-  logic [1:0] fault, step;
-  line_window #(
-      .Width     (P),
-      .SideWidth (2),
+  logic valid1, valid, sol, sof, is_real, in_frame;
+  logic [1:0] fault;
+  logic [ColBits-1:0] col, col1;
+  slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
-  ) i_window (
+  ) i_tracker (
       .clk_i,
       .rst_ni,
       .valid_i,
@@ -53,10 +52,9 @@ module ridge #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i({data_i[M+2], data_i[M-1:0]}),
-      .side_i(data_i[M+1:M]),
-      .window_o(window),
-      .side_o(step),
+      .col_o(col),
+      .valid1_o(valid1),
+      .col1_o(col1),
       .valid_o(valid),
       .sol_o(sol),
       .eol_o(),
@@ -72,79 +70,81 @@ module ridge #(
       .end_fault_o()
   );
 
-  // Clocks 1-4: sum of each column's first-contour magnitudes, the last five columns.
+  // Clock 0: the new column: magnitudes m0 (newest row) .. m4, first-contour bits likewise.
+  logic [M-1:0] m0, m1, m2, m3, m4;
+  logic [4:0] first;
+  logic crest0, crest1, crest2;
+  assign {crest0, first[0], m2, m1, m0} = data_i;
+  line_memory #(
+      .Width(2 * M + 6),
+      .Depth(MaxWidthPx)
+  ) i_rows (
+      .clk_i,
+      .wen_i  (valid1),
+      .waddr_i(col1),
+      .wdata_i({crest1, crest0, first[3:0], m3, m2}),
+      .raddr_i(col),
+      .rdata_o({crest2, crest1, first[4:1], m4, m3})
+  );
+
+  // Clocks 1-3: sum of the column's first-contour magnitudes.
   logic [5*M-1:0] kept_q;
-  logic [M:0] sum01_q, sum23_q;
-  logic [M-1:0] sum4_q, sum4_late_q;
-  logic [M+1:0] sum0123_q;
-  logic [5*(M+3)-1:0] columns_q;
+  logic [M+1:0] sum012_q;
+  logic [M:0] sum34_q;
+  logic [M+2:0] column_q;
   logic [2:0] valid_q;
   always_ff @(posedge clk_i) begin
-    valid_q <= {valid_q[1:0], valid};
-    for (int j = 0; j < 5; j++) begin
-      kept_q[j*M+:M] <= window[(20+j)*P+M] ? window[(20+j)*P+:M] : '0;
-    end
-    sum01_q     <= (M + 1)'(kept_q[0+:M]) + (M + 1)'(kept_q[M+:M]);
-    sum23_q     <= (M + 1)'(kept_q[2*M+:M]) + (M + 1)'(kept_q[3*M+:M]);
-    sum4_q      <= kept_q[4*M+:M];
-    sum0123_q   <= (M + 2)'(sum01_q) + (M + 2)'(sum23_q);
-    sum4_late_q <= sum4_q;
+    valid_q <= {valid_q[1:0], valid1};
+    kept_q <= {{M{first[4]}} & m4, {M{first[3]}} & m3, {M{first[2]}} & m2, {M{first[1]}} & m1,
+               {M{first[0]}} & m0};
+    sum012_q <= ((M + 2)'(kept_q[0+:M]) + (M + 2)'(kept_q[M+:M])) + (M + 2)'(kept_q[2*M+:M]);
+    sum34_q  <= (M + 1)'(kept_q[3*M+:M]) + (M + 1)'(kept_q[4*M+:M]);
+    column_q <= (M + 3)'(sum012_q) + (M + 3)'(sum34_q);
+  end
+
+  // Clock 4: sum of the window; sum1_q .. sum4_q are of the last 1 .. 4 columns.
+  logic [M+2:0] sum1_q;
+  logic [M+3:0] sum2_q;
+  logic [M+4:0] sum3_q, sum4_q, support_q;
+  always_ff @(posedge clk_i) begin
     if (valid_q[2]) begin
-      columns_q <= {columns_q[4*(M+3)-1:0], (M + 3)'(sum0123_q) + (M + 3)'(sum4_late_q)};
+      sum1_q <= column_q;
+      sum2_q <= (M + 4)'(sum1_q) + (M + 4)'(column_q);
+      sum3_q <= (M + 5)'(sum2_q) + (M + 5)'(column_q);
+      sum4_q <= sum3_q + (M + 5)'(column_q);
     end
+    support_q <= sum4_q + (M + 5)'(column_q);
   end
 
-  // Clocks 5-7: sum of the window.
-  logic [M+3:0] near_q, far_q;
-  logic [M+2:0] last_q, last_late_q;
-  logic [M+4:0] both_q, support_q;
+  // Clock 1 and two columns: what the centre column holds, in step with the tracker's centre.
+  logic [8:0] centre_q;
   always_ff @(posedge clk_i) begin
-    near_q      <= (M + 4)'(columns_q[0+:M+3]) + (M + 4)'(columns_q[M+3+:M+3]);
-    far_q       <= (M + 4)'(columns_q[2*(M+3)+:M+3]) + (M + 4)'(columns_q[3*(M+3)+:M+3]);
-    last_q      <= columns_q[4*(M+3)+:M+3];
-    both_q      <= (M + 5)'(near_q) + (M + 5)'(far_q);
-    last_late_q <= last_q;
-    support_q   <= both_q + (M + 5)'(last_late_q);
+    if (valid1) centre_q <= {centre_q[5:0], m4 >= noise_floor_i, first[4], crest2};
   end
 
-  // Clocks 1, 2: highest across the contour.
-  logic [M-1:0] before_q, after_q, centre_q;
-  logic first1_q, first2_q, peak_q, floor_q;
-  always_ff @(posedge clk_i) begin
-    case (step)
-      2'd0: {before_q, after_q} <= {window[7*P+:M], window[17*P+:M]};
-      2'd1: {before_q, after_q} <= {window[11*P+:M], window[13*P+:M]};
-      2'd2: {before_q, after_q} <= {window[6*P+:M], window[18*P+:M]};
-      default: {before_q, after_q} <= {window[8*P+:M], window[16*P+:M]};
-    endcase
-    centre_q <= window[12*P+:M];
-    first1_q <= in_frame && window[12*P+M];
-    first2_q <= first1_q;
-    peak_q   <= first1_q && before_q < centre_q && after_q <= centre_q;
-    floor_q  <= centre_q >= noise_floor_i;
-  end
-
-  logic peak_late, ridge_q;
-  delay_line #(
-      .Width (1),
-      .Clocks(Latency - 3)
-  ) i_peak (
-      .clk_i,
-      .rst_ni,
-      .data_i(peak_q),
-      .data_o(peak_late)
-  );
+  // Clock 5.
+  logic [1:0] flags_late;
+  logic crest_late, ridge_q;
   delay_line #(
       .Width (2),
-      .Clocks(Latency - 2)
+      .Clocks(Latency)
   ) i_flags (
       .clk_i,
       .rst_ni,
-      .data_i({floor_q, first2_q}),
-      .data_o(data_o[2:1])
+      .data_i(centre_q[8:7]),
+      .data_o(flags_late)
   );
-  assign data_o[0] = ridge_q;
-  always_ff @(posedge clk_i) ridge_q <= peak_late && support_q >= support_i;
+  delay_line #(
+      .Width (1),
+      .Clocks(Latency - 1)
+  ) i_crest (
+      .clk_i,
+      .rst_ni,
+      .data_i(centre_q[6] && in_frame),
+      .data_o(crest_late)
+  );
+  assign data_o = {flags_late, ridge_q};
+  always_ff @(posedge clk_i) ridge_q <= crest_late && support_q >= support_i;
 
   delay_line #(
       .Width (6),

@@ -7,8 +7,8 @@
 //   A pixel off the ridge with floor set closes a gap when its links fall into two or more groups
 //   that do not touch and one of the links is an end (has one link itself).
 //
-//   slot in, out   see slot_tracker; data_i = {floor, first, ridge}, data_o = {first, contour} of
-//                  the centre pixel; eol_o its last column
+//   slot in, out   see slot_tracker; data_i = {floor, first} of the pixel two rows above and ridge,
+//                  data_o = {first, contour} of the centre pixel; eol_o its last column
 //
 // Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no contour.
 module second_contour #(
@@ -38,6 +38,7 @@ module second_contour #(
   line_window #(
       .Width     (1),
       .SideWidth (2),
+      .SideRows  (0),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -49,6 +50,8 @@ module second_contour #(
       .fault_i,
       .data_i(data_i[0]),
       .side_i(data_i[2:1]),
+      .column_valid_o(),
+      .column_o(),
       .window_o(window),
       .side_o({floor, first}),
       .valid_o(valid),

@@ -5,10 +5,10 @@
 // To carry gx, gy and the magnitude along with the contour would take 6 rows of 31 bits in line
 // memories; six rows of pixels take 48 and a second kernel.
 //
-//   slot and column in   the tail of gradient's window
+//   slot and column in   the tail of gradient's window, the slot one clock behind the column
 //   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order
 //
-// Latency 2 columns + 13 clocks, 1 beat per clock. Border: all 0.
+// Latency 2 columns + 9 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -20,6 +20,7 @@ module slope #(
     input  logic                       sof_i,
     input  logic                       real_i,
     input  logic [                1:0] fault_i,
+    input  logic                       column_valid_i,
     input  logic [               39:0] column_i,
     output logic                       valid_o,
     output logic [3*FractionBits+21:0] data_o
@@ -27,7 +28,7 @@ module slope #(
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
 
-  // Two clocks after column_i.
+  // Three clocks after column_i.
   logic valid, is_real, in_frame, valid_late, in_frame_late;
   slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
@@ -64,7 +65,7 @@ module slope #(
       .FractionBits(FractionBits)
   ) i_kernel (
       .clk_i,
-      .valid_i,
+      .valid_i(column_valid_i),
       .column_i,
       .gx_o(gx),
       .gy_o(gy),
@@ -81,7 +82,7 @@ module slope #(
   );
   delay_line #(
       .Width (2),
-      .Clocks(9)
+      .Clocks(5)
   ) i_slot (
       .clk_i,
       .rst_ni,

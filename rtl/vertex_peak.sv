@@ -10,11 +10,12 @@
 //   alive(x, y) = s > s(x-2), s(x-1), h(x, y-1), h(x, y-2) and s >= s(x+1), s(x+2)
 //   vertex(x, y-2) = alive(x, y-2) and h(x, y-2) >= h(x, y-1), h(x, y);  there h is s itself
 //
-//   slot in    see slot_tracker; strength_i 0: no candidate; branches_i modulo 8, pattern_i
-//   vertex_*   in raster order, coordinates in px
+//   slot in    see slot_tracker; strength_i, above_i see vertex_value
+//   vertex_*   in raster order, coordinates in px; branches and pattern are found once more, from
+//              one bit per pixel, instead of waiting two rows
 //   end_valid_o, end_fault_o   behind the last vertex of a frame; how the frame ended
 //
-// Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: candidates have strength 0.
+// Latency 2 rows + 2 columns + 9 clocks, 1 beat per clock. Border: candidates have strength 0.
 module vertex_peak #(
     parameter int MaxWidthPx = 1920
 ) (
@@ -25,9 +26,8 @@ module vertex_peak #(
     input  logic        sof_i,
     input  logic        real_i,
     input  logic [ 1:0] fault_i,
-    input  logic [ 7:0] strength_i,
-    input  logic [ 2:0] branches_i,
-    input  logic [ 7:0] pattern_i,
+    input  logic [ 5:0] strength_i,
+    input  logic [ 2:0] above_i,
     output logic        vertex_valid_o,
     output logic [11:0] vertex_x_o,
     output logic [11:0] vertex_y_o,
@@ -40,29 +40,21 @@ module vertex_peak #(
   localparam int ColBits = $clog2(MaxWidthPx);
 
   // Clocks 1-4: the row.
-  logic [5*8-1:0] s_q;
-  logic [3*11-1:0] info_q;
-  logic [7:0] before_q, after_q, centre2_q, others_q, centre3_q, highest_q;
+  logic [5*6-1:0] s_q;
+  logic [5:0] before_q, after_q, centre2_q, others_q, centre3_q, highest_q;
   logic leads3_q, leads4_q;
-  logic [10:0] info2_q, info3_q, info4_q;
   always_ff @(posedge clk_i) begin
-    if (valid_i) begin
-      s_q    <= {s_q[31:0], strength_i};
-      info_q <= {info_q[21:0], branches_i, pattern_i};
-    end
-    before_q  <= s_q[39:32] > s_q[31:24] ? s_q[39:32] : s_q[31:24];
-    after_q   <= s_q[15:8] > s_q[7:0] ? s_q[15:8] : s_q[7:0];
-    centre2_q <= s_q[23:16];
-    info2_q   <= info_q[32:22];
+    if (valid_i) s_q <= {s_q[23:0], strength_i};
+    before_q  <= s_q[29:24] > s_q[23:18] ? s_q[29:24] : s_q[23:18];
+    after_q   <= s_q[11:6] > s_q[5:0] ? s_q[11:6] : s_q[5:0];
+    centre2_q <= s_q[17:12];
 
     others_q  <= before_q > after_q ? before_q : after_q;
     leads3_q  <= centre2_q > before_q && centre2_q >= after_q;
     centre3_q <= centre2_q;
-    info3_q   <= info2_q;
 
     highest_q <= leads3_q ? centre3_q : others_q;
     leads4_q  <= leads3_q;
-    info4_q   <= info3_q;
   end
 
   // The tracker runs three clocks behind: the rows above come out of the memory at clock 4.
@@ -106,15 +98,22 @@ module vertex_peak #(
       .end_fault_o(end_fault)
   );
 
-  // Clock 5: per column {alive, info, highest} of the last two rows, older in the low bits.
-  logic [39:0] older, rows_q;
-  logic [7:0] highest1, highest2;
-  logic alive1, alive2, vertex_q, valid5_q;
-  logic [10:0] info1, info2, vertex_info_q;
-  logic [7:0] vertex_strength_q;
-  assign {alive1, info1, highest1, alive2, info2, highest2} = older;
+  // Clock 5: per column {branch pixel, alive, highest} of the last two rows, older in the low bits.
+  logic [2:0] above4;
+  logic [15:0] rows_q;
+  logic [5:0] highest1, highest2;
+  logic alive1, alive2, above1, above2, vertex_q, valid5_q;
+  delay_line #(
+      .Width (3),
+      .Clocks(4)
+  ) i_above (
+      .clk_i,
+      .rst_ni,
+      .data_i(above_i),
+      .data_o(above4)
+  );
   line_memory #(
-      .Width(40),
+      .Width(16),
       .Depth(MaxWidthPx)
   ) i_rows (
       .clk_i,
@@ -122,34 +121,72 @@ module vertex_peak #(
       .waddr_i(col5_q),
       .wdata_i(rows_q),
       .raddr_i(col),
-      .rdata_o(older)
+      .rdata_o({above1, alive1, highest1, above2, alive2, highest2})
   );
+  logic [5:0] strength5_q;
   always_ff @(posedge clk_i) begin
     valid5_q <= rst_ni && valid4;
     col5_q   <= col4;
-    rows_q   <= {leads4_q && highest_q > highest1 && highest_q > highest2, info4_q, highest_q,
-                 alive1 && highest1 >= highest_q, info1, highest1};
-    vertex_q <= alive2 && highest2 >= highest_q;
-    vertex_info_q <= info2;
-    vertex_strength_q <= highest2;
+    rows_q   <= {above4[0], leads4_q && highest_q > highest1 && highest_q > highest2, highest_q,
+                 above1, alive1 && highest1 >= highest_q, highest1};
+    vertex_q    <= alive2 && highest2 >= highest_q;
+    strength5_q <= highest2;
   end
 
-  // Clock 6: position of the centre.
-  logic [11:0] x_q, y_q, y_late_q;
-  logic sol4_q;
+  // Clocks 5-8: the branches around the centre. Everything else waits for them.
+  logic [3:0] branches;
+  logic [7:0] pattern;
+  vertex_ring i_ring (
+      .clk_i,
+      .valid_i(valid4),
+      .column_i({above4, above1, above2}),
+      .above_o(),
+      .group_o(),
+      .low_o(),
+      .high_o(),
+      .branches_o(branches),
+      .pattern_o(pattern),
+      .junction_o()
+  );
+  logic sol4_q, sof4_q, valid7, sol7, sof7, vertex8, end8;
+  logic [5:0] strength8;
+  logic [1:0] end_fault8;
+  delay_line #(
+      .Width (3),
+      .Clocks(3)
+  ) i_position (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid4, sol4_q, sof4_q}),
+      .data_o({valid7, sol7, sof7})
+  );
+  delay_line #(
+      .Width (10),
+      .Clocks(3)
+  ) i_vertex (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid_end && in_frame && vertex_q, strength5_q, valid_end && is_end, end_fault}),
+      .data_o({vertex8, strength8, end8, end_fault8})
+  );
+
+  // Clocks 8, 9: position of the centre, strength in full.
+  logic [11:0] x_q, y_q;
   always_ff @(posedge clk_i) begin
-    sol4_q <= sol;
-    if (valid4) x_q <= sol4_q ? -12'd2 : x_q + 12'd1;
-    if (valid && sol) y_q <= sof ? -12'd2 : y_q + 12'd1;
-    y_late_q <= y_q;
-    vertex_valid_o    <= rst_ni && valid_end && in_frame && vertex_q;
+    {sol4_q, sof4_q} <= {sol, sof};
+    if (valid7) begin
+      x_q <= sol7 ? -12'd2 : x_q + 12'd1;
+      if (sol7) y_q <= sof7 ? -12'd2 : y_q + 12'd1;
+    end
+    vertex_valid_o    <= rst_ni && vertex8;
     vertex_x_o        <= x_q;
-    vertex_y_o        <= y_late_q;
-    vertex_branches_o <= {vertex_info_q[10:8] == 3'd0, vertex_info_q[10:8]};
-    vertex_pattern_o  <= vertex_info_q[7:0];
-    vertex_strength_o <= vertex_strength_q;
-    end_valid_o       <= rst_ni && valid_end && is_end;
-    end_fault_o       <= end_fault;
+    vertex_y_o        <= y_q;
+    vertex_branches_o <= branches;
+    vertex_pattern_o  <= pattern;
+    vertex_strength_o <= strength8 >= 6'd50 ? {1'b0, strength8, 1'b0} + 8'd12
+                       : strength8 >= 6'd41 ? {1'b0, strength8, 1'b0} - 8'd2 : {2'b0, strength8};
+    end_valid_o       <= rst_ni && end8;
+    end_fault_o       <= end_fault8;
   end
 
   // A vertex lies inside its frame and never comes with the frame's end.

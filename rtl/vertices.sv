@@ -7,7 +7,7 @@
 //   branch_floor_i, min_turn_i   thresholds, see direction, vertex_value
 //   vertex_*, end_*              see vertex_peak
 //
-// Latency 4 rows + 4 columns + 18 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
+// Latency 4 rows + 4 columns + 19 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
 // image is no vertex.
 module vertices #(
     parameter int MaxWidthPx   = 1920,
@@ -64,8 +64,8 @@ module vertices #(
 
   logic value_valid, value_sol, value_sof, value_real;
   logic [1:0] value_fault;
-  logic [7:0] strength, pattern;
-  logic [2:0] branches;
+  logic [5:0] strength;
+  logic [2:0] above;
   vertex_value #(
       .MaxWidthPx(MaxWidthPx)
   ) i_value (
@@ -84,8 +84,7 @@ module vertices #(
       .real_o(value_real),
       .fault_o(value_fault),
       .strength_o(strength),
-      .branches_o(branches),
-      .pattern_o(pattern)
+      .above_o(above)
   );
 
   vertex_peak #(
@@ -99,8 +98,7 @@ module vertices #(
       .real_i(value_real),
       .fault_i(value_fault),
       .strength_i(strength),
-      .branches_i(branches),
-      .pattern_i(pattern),
+      .above_i(above),
       .vertex_valid_o,
       .vertex_x_o,
       .vertex_y_o,

@@ -158,7 +158,7 @@ module view_pipeline #(
   );
 
   logic gradient_valid, gradient_sol, gradient_sof, gradient_real;
-  logic tail_valid, tail_sol, tail_sof, tail_real;
+  logic tail_column_valid, tail_valid, tail_sol, tail_sof, tail_real;
   logic [1:0] gradient_fault, tail_fault;
   logic [MagnitudeBits+1:0] gradient_data;
   logic [39:0] tail_column;
@@ -180,12 +180,13 @@ module view_pipeline #(
       .real_o(gradient_real),
       .fault_o(gradient_fault),
       .data_o(gradient_data),
+      .tail_column_valid_o(tail_column_valid),
+      .tail_column_o(tail_column),
       .tail_valid_o(tail_valid),
       .tail_sol_o(tail_sol),
       .tail_sof_o(tail_sof),
       .tail_real_o(tail_real),
-      .tail_fault_o(tail_fault),
-      .tail_column_o(tail_column)
+      .tail_fault_o(tail_fault)
   );
 
   logic slope_valid;
@@ -201,6 +202,7 @@ module view_pipeline #(
       .sof_i(tail_sof),
       .real_i(tail_real),
       .fault_i(tail_fault),
+      .column_valid_i(tail_column_valid),
       .column_i(tail_column),
       .valid_o(slope_valid),
       .data_o(slope_data)
@@ -208,7 +210,7 @@ module view_pipeline #(
 
   logic first_valid, first_sol, first_sof, first_real;
   logic [1:0] first_fault;
-  logic [MagnitudeBits+2:0] first_data;
+  logic [3*MagnitudeBits+1:0] first_data;
   first_contour #(
       .MaxWidthPx   (MaxWidthPx),
       .MagnitudeBits(MagnitudeBits)
