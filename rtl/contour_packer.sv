@@ -12,7 +12,7 @@
 // Reserve pixels after ready_o has fallen.
 module contour_packer #(
     parameter int FractionBits = 3,
-    parameter int Depth        = 128,  // pixels that wait for the consumer, a power of two
+    parameter int Depth        = 64,  // pixels that wait for the consumer, a power of two
     parameter int Reserve      = 24
 ) (
     input  logic                       clk_i,

@@ -52,12 +52,16 @@ module direction #(
 
   // Clock 2: smaller and larger component; lower: in the octant at the quadrant's own axis.
   logic [A-1:0] minor2_q, major2_q, minor3_q, major3_q, minor4_q;
-  logic lower2_q, y_larger;
-  assign y_larger = ay_q > ax_q;
+  logic lower2_q, x_larger, y_larger;
+  logic [A:0] x_minus_y, y_minus_x;
+  assign x_minus_y = {1'b0, ax_q} - {1'b0, ay_q};
+  assign y_minus_x = {1'b0, ay_q} - {1'b0, ax_q};
+  assign y_larger  = x_minus_y[A];
+  assign x_larger  = y_minus_x[A];
   always_ff @(posedge clk_i) begin
     minor2_q <= y_larger ? ax_q : ay_q;
     major2_q <= y_larger ? ay_q : ax_q;
-    lower2_q <= quadrant_q[0] ? ay_q >= ax_q : !y_larger;
+    lower2_q <= quadrant_q[0] ? !x_larger : !y_larger;
   end
 
   // Clocks 3-5: thresholds times the larger component, comparisons.
@@ -66,6 +70,13 @@ module direction #(
   logic [T-1:0] six_q, thirteen_q, nineteen_q, twentyseven_q, thirtyfour_q, fortythree_q,
       fiftythree_q;
   logic [6:0] reached_q;
+  // 64 minor >= product, by the borrow of a subtraction; of the product's last six bits it only
+  // matters whether one is set.
+  function automatic logic reaches(input logic [T-1:0] product);
+    logic [A+1:0] difference;
+    difference = {1'b0, product[T-1:6], |product[5:0]} - {1'b0, minor4_q, 1'b1};
+    reaches = difference[A+1];
+  endfunction
   always_ff @(posedge clk_i) begin
     three_q  <= (A + 2)'(major2_q) + {1'b0, major2_q, 1'b0};
     five_q   <= (A + 3)'(major2_q) + {1'b0, major2_q, 2'b0};
@@ -81,10 +92,9 @@ module direction #(
     fiftythree_q  <= (T'(three_q) << 4) + T'(five_q);
     minor4_q      <= minor3_q;
 
-    reached_q <= {{minor4_q, 6'b0} >= fiftythree_q, {minor4_q, 6'b0} >= fortythree_q,
-                  {minor4_q, 6'b0} >= thirtyfour_q, {minor4_q, 6'b0} >= twentyseven_q,
-                  {minor4_q, 6'b0} >= nineteen_q, {minor4_q, 6'b0} >= thirteen_q,
-                  {minor4_q, 6'b0} >= six_q};
+    reached_q <= {reaches(fiftythree_q), reaches(fortythree_q), reaches(thirtyfour_q),
+                  reaches(twentyseven_q), reaches(nineteen_q), reaches(thirteen_q),
+                  reaches(six_q)};
   end
 
   // Clocks 1, 2: class.
@@ -93,10 +103,15 @@ module direction #(
   logic [1:0] class_q, class_late;
   assign floor3 = (M + 3)'(branch_floor_i) + {2'b0, branch_floor_i, 1'b0};
   assign floor5 = (M + 3)'(branch_floor_i) + {1'b0, branch_floor_i, 2'b0};
+  logic [M:0] above1;
+  logic [M+3:0] above3, above5;
+  assign above1 = {1'b0, magnitude} - {1'b0, branch_floor_i};
+  assign above3 = {3'b0, magnitude, 1'b0} - {1'b0, floor3};
+  assign above5 = {3'b0, magnitude, 1'b0} - {1'b0, floor5};
   always_ff @(posedge clk_i) begin
-    above1_q <= magnitude >= branch_floor_i;
-    above3_q <= {2'b0, magnitude, 1'b0} >= floor3;
-    above5_q <= {2'b0, magnitude, 1'b0} >= floor5;
+    above1_q <= !above1[M];
+    above3_q <= !above3[M+3];
+    above5_q <= !above5[M+3];
     class_q  <= {above1_q && above3_q, above1_q && (!above3_q || above5_q)};
   end
 

@@ -89,10 +89,21 @@ module first_contour #(
   logic [4:0] count_q;
   assign centre = window[12*M+:M];
 
+  // Comparisons by the borrow of a subtraction: one carry chain, and the inverted b is shared.
+  function automatic logic below(input logic [M+1:0] a, input logic [M+1:0] b);
+    logic [M+2:0] difference;
+    difference = {1'b0, a} - {1'b0, b};
+    below = difference[M+2];
+  endfunction
+  logic [23:0] keeps;
+  for (genvar i = 0; i < 24; i++) begin : gen_keeps
+    assign keeps[i] = below({1'b0, window[(i<12?i:i+1)*M+:M], 1'b0}, {1'b0, centre, 1'b1});
+  end
+
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < 24; i++) begin
-      keeps_q[i]     <= window[(i<12?i:i+1)*M+:M] <= centre;
-      kept_q[i*M+:M] <= window[(i<12?i:i+1)*M+:M] <= centre ? window[(i<12?i:i+1)*M+:M] : '0;
+      keeps_q[i]     <= keeps[i];
+      kept_q[i*M+:M] <= keeps[i] ? window[(i<12?i:i+1)*M+:M] : '0;
     end
     for (int i = 0; i < 12; i++) begin
       sum12_q[i*(M+1)+:M+1] <= (M + 1)'(kept_q[2*i*M+:M]) + (M + 1)'(kept_q[(2*i+1)*M+:M]);
@@ -146,8 +157,8 @@ module first_contour #(
   always_ff @(posedge clk_i) begin
     // Three times the pixel that becomes the centre with the next column.
     if (column_valid) centre3_q <= (M + 2)'(window[17*M+:M]) + {1'b0, window[17*M+:M], 1'b0};
-    for (int i = 0; i < 8; i++) on_q[i] <= {inner[i*M+:M], 2'b0} >= centre3_q;
-    floor_q <= in_frame && centre >= noise_floor_i;
+    for (int i = 0; i < 8; i++) on_q[i] <= !below({inner[i*M+:M], 2'b0}, centre3_q);
+    floor_q <= in_frame && !below({2'b0, centre}, {2'b0, noise_floor_i});
     path_q  <= floor_q && ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
                            (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
                            (ne && (sw || se)) || (sw && se));
@@ -164,12 +175,15 @@ module first_contour #(
       default: {before_q, after_q} <= {window[8*M+:M], window[16*M+:M]};
     endcase
     centre1_q <= centre;
-    highest_q <= before_q < centre1_q && after_q <= centre1_q;
+    highest_q <= below({1'b0, before_q, 1'b0}, {1'b0, centre1_q, 1'b0}) &&
+                 below({1'b0, after_q, 1'b0}, {1'b0, centre1_q, 1'b1});
   end
 
   // Clock 7.
   logic path_late, highest_late, first, crest_q, first_q;
-  assign first = path_late && {sum_q, 5'b0} < bound;
+  logic [M+10:0] margin;
+  assign margin = {1'b0, sum_q, 5'b0} - {1'b0, bound};
+  assign first  = path_late && margin[M+10];
   always_ff @(posedge clk_i) begin
     first_q <= first;
     crest_q <= first && highest_late;

@@ -96,12 +96,15 @@ module gradient #(
   // Clocks 7-9. |gx|, |gy| < 96 scale fit S - 1 bits.
   logic [S-2:0] ax_q, ay_q;
   logic same_sign_q, same_sign_late_q, horizontal_q, vertical_q;
+  logic [S:0] steep_x, steep_y;
+  assign steep_x = {1'b0, ay_q, 1'b0} - {2'b0, ax_q};
+  assign steep_y = {1'b0, ax_q, 1'b0} - {2'b0, ay_q};
   always_ff @(posedge clk_i) begin
     ax_q             <= gx[S-1] ? (S - 1)'(-gx) : gx[S-2:0];
     ay_q             <= gy[S-1] ? (S - 1)'(-gy) : gy[S-2:0];
     same_sign_q      <= gx[S-1] == gy[S-1];
-    horizontal_q     <= {ay_q, 1'b0} < {1'b0, ax_q};
-    vertical_q       <= {ax_q, 1'b0} < {1'b0, ay_q};
+    horizontal_q     <= steep_x[S];
+    vertical_q       <= steep_y[S];
     same_sign_late_q <= same_sign_q;
     data_o <= {!horizontal_q && !vertical_q, vertical_q || (!horizontal_q && !same_sign_late_q),
                in_frame_late ? magnitude : {M{1'b0}}};

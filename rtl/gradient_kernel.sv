@@ -28,7 +28,6 @@ module gradient_kernel #(
   end
   localparam int M = 6 + FractionBits;
   localparam int Shift = 10 - FractionBits;
-  localparam logic signed [17:0] Half = 18'(1 << (Shift - 1));
 
   logic signed [15:0] h, v;
   logic signed [14:0] a, b;
@@ -45,7 +44,10 @@ module gradient_kernel #(
   // Clocks 5, 6: the vector.
   logic signed [17:0] x_q, y_q;
   function automatic logic [FractionBits+7:0] rounded(input logic signed [17:0] sum);
-    rounded = (FractionBits + 8)'((sum + Half - (sum < 0 ? 18'sd1 : 18'sd0)) >>> Shift);
+    logic signed [17:0] raised;
+    // One half, or less by the smallest bit if negative.
+    raised  = sum + $signed(18'({!sum[17], {(Shift - 1) {sum[17]}}}));
+    rounded = (FractionBits + 8)'(raised >>> Shift);
   endfunction
   always_ff @(posedge clk_i) begin
     x_q  <= 18'(h) + 18'($signed({a, 3'b0}));
@@ -54,24 +56,30 @@ module gradient_kernel #(
     gy_o <= rounded(y_q);
   end
 
-  // Clocks 5-8: the magnitude.
-  logic [14:0] abs_h_q, abs_v_q;
-  logic [13:0] abs_a_q, abs_b_q, diagonal_q;
-  logic [15:0] straight_q;
-  logic [16:0] sum_q;
+  // Clocks 5-8: the magnitude. A negative value's bits are inverted, which leaves its absolute
+  // value 1 too small; those ones join the sum at the end.
+  logic [14:0] h5_q, v5_q;
+  logic [14:0] a5_q, b5_q, diagonal6_q;  // lowest bit: 1 too small
+  logic h_negative5_q, v_negative5_q, h_negative6_q, v_negative6_q;
+  logic [1:0] missing7_q;
+  logic [15:0] straight6_q;
+  logic [16:0] sum7_q;
   logic [16-Shift:0] units;
-  assign units = (17 - Shift)'((sum_q + 17'(1 << (Shift - 1))) >> Shift);
-  function automatic logic [14:0] absolute(input logic signed [15:0] value);
-    absolute = value[15] ? 15'(-value) : value[14:0];
-  endfunction
+  assign units = (17 - Shift)'((sum7_q + 17'((1 << (Shift - 1)) + 32'(missing7_q))) >> Shift);
   always_ff @(posedge clk_i) begin
-    abs_h_q     <= absolute(h);
-    abs_v_q     <= absolute(v);
-    abs_a_q     <= 14'(absolute(16'(a)));
-    abs_b_q     <= 14'(absolute(16'(b)));
-    straight_q  <= 16'(abs_h_q) + 16'(abs_v_q);
-    diagonal_q  <= abs_a_q > abs_b_q ? abs_a_q : abs_b_q;
-    sum_q       <= 17'(straight_q) + {1'b0, diagonal_q, 2'b0};
+    h5_q <= h[14:0] ^ {15{h[15]}};
+    v5_q <= v[14:0] ^ {15{v[15]}};
+    a5_q <= {a[13:0] ^ {14{a[14]}}, a[14]};
+    b5_q <= {b[13:0] ^ {14{b[14]}}, b[14]};
+    {h_negative5_q, v_negative5_q} <= {h[15], v[15]};
+
+    straight6_q <= 16'(h5_q) + 16'(v5_q);
+    diagonal6_q <= {a5_q, 1'b0} < {b5_q, 1'b1} ? b5_q : a5_q;
+    {h_negative6_q, v_negative6_q} <= {h_negative5_q, v_negative5_q};
+
+    sum7_q     <= 17'(straight6_q) + {1'b0, diagonal6_q, diagonal6_q[0]};
+    missing7_q <= 2'(h_negative6_q) + 2'(v_negative6_q) + 2'(diagonal6_q[0]);
+
     magnitude_o <= |units[16-Shift:M] ? '1 : units[M-1:0];
   end
 endmodule

@@ -118,8 +118,10 @@ module ridge #(
 
   // Clock 1 and two columns: what the centre column holds, in step with the tracker's centre.
   logic [8:0] centre_q;
+  logic [M:0] above_floor;
+  assign above_floor = {1'b0, m4} - {1'b0, noise_floor_i};
   always_ff @(posedge clk_i) begin
-    if (valid1) centre_q <= {centre_q[5:0], m4 >= noise_floor_i, first[4], crest2};
+    if (valid1) centre_q <= {centre_q[5:0], !above_floor[M], first[4], crest2};
   end
 
   // Clock 5.
@@ -144,7 +146,9 @@ module ridge #(
       .data_o(crest_late)
   );
   assign data_o = {flags_late, ridge_q};
-  always_ff @(posedge clk_i) ridge_q <= crest_late && support_q >= support_i;
+  logic [M+5:0] margin;
+  assign margin = {1'b0, support_q} - {1'b0, support_i};
+  always_ff @(posedge clk_i) ridge_q <= crest_late && !margin[M+5];
 
   delay_line #(
       .Width (6),

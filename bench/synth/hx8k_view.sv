@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One view on an iCE40 HX8K: view_pipeline with settings shifted in serially and the constant
-// bits of its streams left out, so that the ports fit the package's 206 pins.
+// One view on an iCE40 HX8K: view_pipeline with its settings on pins and the constant bits of its
+// streams left out, so that the ports fit the package's 206 pins.
 module hx8k_view #(
     parameter int MaxWidthPx = 512
 ) (
     input  logic        clk_i,
     input  logic        rst_ni,
-    input  logic        settings_shift_i,
-    input  logic        settings_bit_i,
+    input  logic [91:0] settings_i,
     input  logic        s_axis_tvalid,
     output logic        s_axis_tready,
     input  logic [ 7:0] s_axis_tdata,
@@ -21,21 +20,16 @@ module hx8k_view #(
     output logic        m_axis_contour_tlast,
     output logic        m_axis_vertex_tvalid,
     input  logic        m_axis_vertex_tready,
-    output logic [63:0] m_axis_vertex_tdata,
+    output logic [56:0] m_axis_vertex_tdata,
     output logic        m_axis_vertex_tlast,
     output logic        event_o
 );
-  localparam int SettingsBits = 100;
-  logic [SettingsBits-1:0] settings_q;
-  always_ff @(posedge clk_i) begin
-    if (settings_shift_i) settings_q <= {settings_q[SettingsBits-2:0], settings_bit_i};
-  end
-
-  logic [63:0] contour;
+  logic [63:0] contour, vertex;
   logic [7:0] events;
   logic frame_done;
   logic [15:0] sent, lost;
   assign m_axis_contour_tdata = {contour[50:40], contour[34:24], contour[16:8], contour[1:0]};
+  assign m_axis_vertex_tdata = {vertex[63:8], vertex[0]};
   always_ff @(posedge clk_i) event_o <= ^{events, frame_done, sent, lost};
 
   view_pipeline #(
@@ -44,16 +38,16 @@ module hx8k_view #(
   ) i_view (
       .clk_i,
       .rst_ni,
-      .enable_i(settings_q[0]),
-      .hold_i(settings_q[1]),
-      .frame_height_i(settings_q[2+:12]),
-      .flush_timeout_i(settings_q[14+:20]),
-      .vertex_limit_i(settings_q[34+:16]),
-      .noise_floor_i(settings_q[50+:9]),
-      .mean_limit_i(settings_q[59+:5]),
-      .support_i(settings_q[64+:14]),
-      .branch_floor_i(settings_q[78+:9]),
-      .min_turn_i(settings_q[87+:5]),
+      .enable_i(settings_i[0]),
+      .hold_i(settings_i[1]),
+      .frame_height_i(settings_i[2+:12]),
+      .flush_timeout_i(settings_i[14+:20]),
+      .vertex_limit_i(settings_i[34+:16]),
+      .noise_floor_i(settings_i[50+:9]),
+      .mean_limit_i(settings_i[59+:5]),
+      .support_i(settings_i[64+:14]),
+      .branch_floor_i(settings_i[78+:9]),
+      .min_turn_i(settings_i[87+:5]),
       .event_o(events),
       .frame_done_o(frame_done),
       .sent_o(sent),
@@ -70,7 +64,7 @@ module hx8k_view #(
       .m_axis_contour_tlast,
       .m_axis_vertex_tvalid,
       .m_axis_vertex_tready,
-      .m_axis_vertex_tdata,
+      .m_axis_vertex_tdata(vertex),
       .m_axis_vertex_tlast
   );
 endmodule
