@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
 
-#include "io/pictures.hpp"
 #include "io/report_json.hpp"
 #include "report/data_uri.hpp"
 #include "report/drawn_layers.hpp"
@@ -149,21 +148,26 @@ Json truth_error(const RecognizedScene& input, const RecognizedObject& object) {
   return nearest;
 }
 
-/// The first view with the models drawn in, small.
-std::string thumbnail(const RecognizedScene& input) {
-  constexpr int kWidthPx = 168;
-  const cv::Mat whole =
-      model_picture(input.scene.images[0], input.views[0].camera, input.result, input.library)
-          .image;
+/// The first view in small and the edges of the models in it, in px of the whole picture.
+Json thumbnail(const RecognizedScene& input) {
+  constexpr int kWidthPx = 168, kStepMask = 0xf8;  // 32 tones pack better
+  const cv::Mat& whole = input.scene.images[0];
   cv::Mat small;
   cv::resize(whole, small, {kWidthPx, whole.rows * kWidthPx / whole.cols}, 0, 0, cv::INTER_AREA);
-  return png_data_uri(small & cv::Scalar::all(0xf0));  // 16 steps a colour pack better
+  const std::vector<PlacedModel> placed = placed_objects(input);
+  Json objects = Json::array();
+  for (int i = 0; i < static_cast<int>(placed.size()); ++i)
+    objects.push_back(edge_layer(input.views[0].camera, placed, i));
+  return {{"width", whole.cols},
+          {"height", whole.rows},
+          {"picture", png_data_uri(small & kStepMask)},
+          {"objects", objects}};
 }
 
 }  // namespace
 
 Json scene_line(const RecognizedScene& input) {
-  Json found = Json::array(), milliseconds = 0.0;
+  Json found = Json::array();
   for (const RecognizedObject& object : input.result.objects) {
     const Model* model = find_model(input.library, object.model_id);
     found.push_back(model == nullptr ? "" : model->name);

@@ -24,14 +24,14 @@ def require_browser():
 class Browser:
     """One Chromium with a profile of its own. `webgl`: whether pages can draw in three dimensions."""
 
-    def __init__(self, webgl=True):
+    def __init__(self, webgl=True, size="1366,900"):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         options = webdriver.ChromeOptions()
         options.binary_location = CHROMIUM
         drawing = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
         for argument in ["--headless", "--no-sandbox", "--disable-quic", "--no-first-run",
                          "--disable-background-networking", "--disable-component-update",
-                         "--disable-sync", "--window-size=1366,900",
+                         "--disable-sync", f"--window-size={size}",
                          f"--user-data-dir={self.profile.name}",
                          *(drawing if webgl else ["--disable-gpu", "--disable-3d-apis"])]:
             options.add_argument(argument)

@@ -30,12 +30,19 @@ function setRow(name, list) {
     right.length ? fixed(median(right.map((object) => object.vertex_mm)), 3) : '-', fixed(time, 1)];
 }
 
+/// The first view in small, the models drawn in.
+const thumbnail = ({width, height, picture, objects}) => drawing('svg',
+  {class: 'thumbnail', viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true'},
+  drawing('image', {href: picture, width, height}),
+  drawing('g', {transform: 'translate(0.5 0.5)'}, ...objects.map((edges, i) => drawing('path',
+    {stroke: colourOf(i), d: edges.map((edge) => pathOf(edge.line)).join('')}))));
+
 function sceneRow(line) {
   const verdict = verdictOf(line);
   const missed = line.truth ? line.truth.objects.filter((object) => !object.right) : [];
   const found = line.found.join(', ') || 'nothing';
   return {attributes: {'data-verdict': verdict, 'data-full': String(line.full >= 0)},
-    cells: [element('img', {src: line.thumbnail, alt: '', width: 112, loading: 'lazy'}), line.scene,
+    cells: [thumbnail(line.thumbnail), line.scene,
       line.kind || '-', verdictMark(verdict), found, missed.map((object) => object.name).join(', '),
       line.truth ? String(line.truth.wrong) : '-', fixed(line.milliseconds, 1),
       line.full < 0 ? '' : element('button', {type: 'button', class: 'open', onclick: () => {

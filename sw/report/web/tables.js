@@ -68,9 +68,9 @@ function buildObjects(scene) {
     number('rx \u00b0', 'Rotation vector'), number('ry \u00b0'), number('rz \u00b0'),
     number('\u03c3 mm', 'Standard deviation of the position in its worst direction'),
     number('\u03c3 \u00b0', 'Standard deviation of the rotation about its worst axis'),
-    number('rms px', 'Between predicted and measured edges'), number('Surfaces seen'),
+    number('rms px', 'Between predicted and measured edges'), number('Seen', 'Surfaces that a view shows, of all'),
     ...(scene.truth ? [number('Error mm', 'Mean distance of the vertices from the truth')] : []),
-    {head: 'Next best model here'}];
+    {head: 'Next best', title: 'The model that fits here second best'}];
   const caption = scene.objects.length
     ? 'Position and rotation of each model in the world frame, whose z = 0 is the table top, with ' +
       'the standard deviations that its measured edges leave. The score is the share of its ' +
