@@ -60,7 +60,7 @@ def hide_times(browser):
         {display: none}`));""")
 
 
-def clipped(browser, first, last):
+def clipped(browser, first, last, scale=1.0):
     """The page from the top of one element to the bottom of another, as PNG."""
     hide_times(browser)
     box = browser.run("""
@@ -69,7 +69,7 @@ def clipped(browser, first, last):
       return [a.top + scrollY - 8, b.bottom - a.top + 16, innerWidth];""", first, last)
     shot = browser.driver.execute_cdp_cmd("Page.captureScreenshot", {
         "captureBeyondViewport": True, "clip": {"x": 0, "y": max(0, box[0]), "width": box[2],
-                                                "height": box[1], "scale": 1}})
+                                                "height": box[1], "scale": scale}})
     return base64.b64decode(shot["data"])
 
 
@@ -77,7 +77,7 @@ def report(folder):
     browser = Browser(size="1120,1000")
     for look, scene in LOOKS.items():
         browser.open(page(folder, "recognize", f"testvectors/scenes/{scene}"))
-        save(f"report_{look}.png", clipped(browser, "#views", "#space"))
+        save(f"report_{look}.png", clipped(browser, "#views", "#space", 0.75))
         if look == "studio":
             save("report.png", clipped(browser, "header.top", "#objects table"))
     browser.close()

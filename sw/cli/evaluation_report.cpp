@@ -47,11 +47,13 @@ void write_evaluation_report(const std::string& file, const std::string& dataset
     }
     lines.push_back(std::move(report["line"]));
   }
-  const std::string note =
+  std::string note =
       fmt::format("{} of {} scenes can be opened in full{}; --report-scenes chooses which.",
                   content.scenes.size(), outcomes.size(),
                   left_out > 0 ? fmt::format(", {} more would make the page too large", left_out)
                                : std::string());
+  if (content.scenes.empty() && left_out == 0)
+    note = "No scene is shown in full, as none failed; --report-scenes chooses others.";
   content.overview = {{"lines", lines}, {"note", note}};
   write_whole(file, report::make_page(content));
 }
