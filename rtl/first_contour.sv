@@ -75,7 +75,9 @@ module first_contour #(
       .end_fault_o()
   );
 
-  // Clocks 1-6: sum (clock 6) and count (clock 3) of the neighbours that are not above the centre.
+  // Clocks 1-6: sum (clock 6) and count (clock 3) of the neighbours that are not above the centre,
+  // each lifted by C = highest magnitude - c: n + C is what the comparison's subtraction leaves.
+  // Hence 32 sum{n + C} < (mean_limit c + 32 C) count.
   logic [M-1:0] centre;
   logic [24*M-1:0] kept_q;
   logic [23:0] keeps_q;
@@ -95,15 +97,16 @@ module first_contour #(
     difference = {1'b0, a} - {1'b0, b};
     below = difference[M+2];
   endfunction
-  logic [23:0] keeps;
-  for (genvar i = 0; i < 24; i++) begin : gen_keeps
-    assign keeps[i] = below({1'b0, window[(i<12?i:i+1)*M+:M], 1'b0}, {1'b0, centre, 1'b1});
+  logic [24*(M+2)-1:0] differences;
+  for (genvar i = 0; i < 24; i++) begin : gen_differences
+    assign differences[i*(M+2)+:M+2] = {1'b0, window[(i<12?i:i+1)*M+:M], 1'b0} -
+                                       {1'b0, centre, 1'b1};
   end
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < 24; i++) begin
-      keeps_q[i]     <= keeps[i];
-      kept_q[i*M+:M] <= keeps[i] ? window[(i<12?i:i+1)*M+:M] : '0;
+      keeps_q[i]     <= differences[i*(M+2)+M+1];
+      kept_q[i*M+:M] <= differences[i*(M+2)+M+1] ? differences[i*(M+2)+1+:M] : '0;
     end
     for (int i = 0; i < 12; i++) begin
       sum12_q[i*(M+1)+:M+1] <= (M + 1)'(kept_q[2*i*M+:M]) + (M + 1)'(kept_q[(2*i+1)*M+:M]);
@@ -126,7 +129,7 @@ module first_contour #(
                     (5'(count6_q[12+:3]) + 5'(count6_q[15+:3]));
   end
 
-  // Clocks 1-6: mean_limit c count.
+  // Clocks 1-6: (mean_limit c + 32 C) count.
   logic [M+4:0] limit;
   logic [M+9:0] bound;
   scale5 #(
@@ -135,6 +138,7 @@ module first_contour #(
       .clk_i,
       .value_i  (centre),
       .factor_i (mean_limit_i),
+      .offset_i (~centre),
       .product_o(limit)
   );
   scale5 #(
@@ -143,6 +147,7 @@ module first_contour #(
       .clk_i,
       .value_i  (limit),
       .factor_i (count_q),
+      .offset_i ({(M + 5) {1'b0}}),
       .product_o(bound)
   );
 

@@ -6,7 +6,7 @@
 //   end_valid_i, end_fault_i    the frame is complete (never together with a vertex); how it
 //                               ended: see frame_guard
 //   limit_i                     most vertices sent per frame; the others are counted as lost
-//   ready_o                     room for everything that is still in the pipeline: of about 80
+//   ready_o                     room for everything that is still in the pipeline: of about 70
 //                               beats under way each third can be a vertex, each fifth an end
 //   frame_done_o, sent_o, lost_o   one clock per frame: its counts
 //   m_axis_*   vertex record: [1:0] 0, [5:2] view, [15:8] frame tag, [27:16] x, [39:28] y,
@@ -22,8 +22,8 @@ module vertex_packer #(
     parameter int View         = 0,
     parameter int PatternBits  = 8,
     parameter int StrengthBits = 8,
-    parameter int Depth        = 256,  // words that wait for the consumer, a power of two
-    parameter int Reserve      = 40    // records that may come after ready_o has fallen
+    parameter int Depth        = 128,  // words that wait for the consumer, a power of two
+    parameter int Reserve      = 28    // records that may come after ready_o has fallen
 ) (
     input  logic                    clk_i,
     input  logic                    rst_ni,
@@ -54,14 +54,13 @@ module vertex_packer #(
 
   // The record that is being sent, low word first, and the end that waits for it.
   logic [15:0] sent_q, lost_q;
-  logic below_limit, take_vertex, take_end, end_waits_q;
+  logic below_limit_q, take_vertex, take_end, end_waits_q;
   logic [1:0] waiting_fault_q, fault;
   logic [2:0] words_q;  // words left, one bit each
   logic [47:0] record_q;
   logic [LevelBits-1:0] level;
 
-  assign below_limit = sent_q < limit_i;
-  assign take_vertex = vertex_valid_i && below_limit;
+  assign take_vertex = vertex_valid_i && below_limit_q;
   assign take_end = (end_valid_i || end_waits_q) && !words_q[1];
   assign fault = end_waits_q ? waiting_fault_q : end_fault_i;
   assign {lost_o, sent_o} = record_q[31:0];
@@ -76,6 +75,7 @@ module vertex_packer #(
     end else begin
       record_q <= {16'b0, record_q[47:16]};
     end
+    below_limit_q <= sent_q < limit_i;  // a clock late: two vertices never come in a row
     if (end_valid_i) waiting_fault_q <= end_fault_i;
     if (!rst_ni) begin
       {sent_q, lost_q} <= '0;

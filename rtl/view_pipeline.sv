@@ -2,8 +2,8 @@
 //
 // One camera's pipeline: pixels in, contour stream and vertex records out.
 //
-//   frame_guard -> row_slots -> gradient -> first_contour -> ridge -> second_contour -> vertices
-//                                   \-> slope ---------------------> contour_packer       \-> vertex_packer
+//   frame_guard -> row_slots -> contours -> vertices -> vertex_packer
+//                                      \-> contour_packer
 //
 // Beats flow through the stages without ever stalling: a pixel enters only when both packers
 // have room for everything that is under way.
@@ -16,7 +16,7 @@
 //                      input register; with hold_i 1 it keeps those of the frame before
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 8 rows and 54 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 8 rows and 44 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
@@ -120,7 +120,6 @@ module view_pipeline #(
       .event_o
   );
 
-  // Slot streams are named after the stage they leave.
   logic contour_ready, vertex_ready, go_q;
   always_ff @(posedge clk_i) go_q <= rst_ni && contour_ready && vertex_ready;
 
@@ -157,120 +156,26 @@ module view_pipeline #(
       .data_o(slot_data)
   );
 
-  logic gradient_valid, gradient_sol, gradient_sof, gradient_real;
-  logic tail_column_valid, tail_valid, tail_sol, tail_sof, tail_real;
-  logic [1:0] gradient_fault, tail_fault;
-  logic [MagnitudeBits+1:0] gradient_data;
-  logic [39:0] tail_column;
-  gradient #(
+  logic slope_valid, second_valid, second_sol, second_eol, second_sof, second_real;
+  logic [3*FractionBits+21:0] slope_data;
+  logic [1:0] second_fault, second_data;
+  contours #(
       .MaxWidthPx  (MaxWidthPx),
       .FractionBits(FractionBits)
-  ) i_gradient (
+  ) i_contours (
       .clk_i,
       .rst_ni,
+      .noise_floor_i(noise_floor),
+      .mean_limit_i(mean_limit),
+      .support_i(support),
       .valid_i(slot_valid),
       .sol_i(slot_sol),
       .sof_i(slot_sof),
       .real_i(slot_real),
       .fault_i(slot_fault),
       .data_i(slot_data),
-      .valid_o(gradient_valid),
-      .sol_o(gradient_sol),
-      .sof_o(gradient_sof),
-      .real_o(gradient_real),
-      .fault_o(gradient_fault),
-      .data_o(gradient_data),
-      .tail_column_valid_o(tail_column_valid),
-      .tail_column_o(tail_column),
-      .tail_valid_o(tail_valid),
-      .tail_sol_o(tail_sol),
-      .tail_sof_o(tail_sof),
-      .tail_real_o(tail_real),
-      .tail_fault_o(tail_fault)
-  );
-
-  logic slope_valid;
-  logic [3*FractionBits+21:0] slope_data;
-  slope #(
-      .MaxWidthPx  (MaxWidthPx),
-      .FractionBits(FractionBits)
-  ) i_slope (
-      .clk_i,
-      .rst_ni,
-      .valid_i(tail_valid),
-      .sol_i(tail_sol),
-      .sof_i(tail_sof),
-      .real_i(tail_real),
-      .fault_i(tail_fault),
-      .column_valid_i(tail_column_valid),
-      .column_i(tail_column),
-      .valid_o(slope_valid),
-      .data_o(slope_data)
-  );
-
-  logic first_valid, first_sol, first_sof, first_real;
-  logic [1:0] first_fault;
-  logic [3*MagnitudeBits+1:0] first_data;
-  first_contour #(
-      .MaxWidthPx   (MaxWidthPx),
-      .MagnitudeBits(MagnitudeBits)
-  ) i_first_contour (
-      .clk_i,
-      .rst_ni,
-      .noise_floor_i(noise_floor),
-      .mean_limit_i(mean_limit),
-      .valid_i(gradient_valid),
-      .sol_i(gradient_sol),
-      .sof_i(gradient_sof),
-      .real_i(gradient_real),
-      .fault_i(gradient_fault),
-      .data_i(gradient_data),
-      .valid_o(first_valid),
-      .sol_o(first_sol),
-      .sof_o(first_sof),
-      .real_o(first_real),
-      .fault_o(first_fault),
-      .data_o(first_data)
-  );
-
-  logic ridge_valid, ridge_sol, ridge_sof, ridge_real;
-  logic [1:0] ridge_fault;
-  logic [2:0] ridge_data;
-  ridge #(
-      .MaxWidthPx   (MaxWidthPx),
-      .MagnitudeBits(MagnitudeBits)
-  ) i_ridge (
-      .clk_i,
-      .rst_ni,
-      .support_i(support),
-      .noise_floor_i(noise_floor),
-      .valid_i(first_valid),
-      .sol_i(first_sol),
-      .sof_i(first_sof),
-      .real_i(first_real),
-      .fault_i(first_fault),
-      .data_i(first_data),
-      .valid_o(ridge_valid),
-      .sol_o(ridge_sol),
-      .sof_o(ridge_sof),
-      .real_o(ridge_real),
-      .fault_o(ridge_fault),
-      .data_o(ridge_data)
-  );
-
-  logic second_valid, second_sol, second_eol, second_sof, second_real;
-  logic [1:0] second_fault, second_data;
-  second_contour #(
-      .MaxWidthPx(MaxWidthPx)
-  ) i_second_contour (
-      .clk_i,
-      .rst_ni,
-      .valid_i(ridge_valid),
-      .sol_i(ridge_sol),
-      .sof_i(ridge_sof),
-      .real_i(ridge_real),
-      .fault_i(ridge_fault),
-      .data_i(ridge_data),
+      .slope_valid_o(slope_valid),
+      .slope_data_o(slope_data),
       .valid_o(second_valid),
       .sol_o(second_sol),
       .eol_o(second_eol),

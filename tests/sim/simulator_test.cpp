@@ -52,24 +52,6 @@ TEST_CASE("each view gives the golden features of its own image") {
   }
 }
 
-TEST_CASE("frames back to back go in at one pixel per clock without a bubble") {
-  RunOptions options = checked();
-  options.frame_height = 40;
-  const std::vector<SourceFrame> frames(5, frame_of(polygons(50, 40, 4)));
-  const Report report = run_all(options, frames);
-  REQUIRE_FALSE(report.mismatch);
-  for (const ViewStatistics& view : report.views) {
-    CHECK(view.pixels == 5 * 50 * 40);
-    CHECK(view.input_idles == 0);
-    // The first line decides the frame's width: a few clocks, once.
-    CHECK(view.input_stalls <= 4);
-    // Ten lines and 64 clocks are the bound that the project promises.
-    CHECK(view.latency_clocks <= 10 * 50 + 64);
-  }
-  CHECK(report.compared.frames == 15);
-  CHECK(report.compared.beats == 15 * 50 * 40);
-}
-
 TEST_CASE("runs of one process do not influence each other") {
   RunOptions options = checked();
   options.pixel_idles = options.contour_stalls = options.vertex_stalls = {0.3, 4};

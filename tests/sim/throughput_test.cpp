@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "sim/test_frames.hpp"
+
+using namespace trihedron;
+using namespace trihedron::sim;
+
+namespace {
+
+struct Size {
+  int width;
+  int height;
+};
+
+/// Once per run: the first line decides the frame's width.
+constexpr std::uint64_t kFirstLineStalls = 4;
+
+/// Frames of these sizes one behind the other, a pixel offered at every clock, outputs always
+/// ready.
+Report back_to_back(const std::vector<Size>& sizes, int frame_height = 0) {
+  std::vector<SourceFrame> frames;
+  for (const Size& size : sizes) frames.push_back(frame_of(polygons(size.width, size.height, 4)));
+  RunOptions options;
+  options.check = true;
+  options.flush_timeout = 500;
+  options.frame_height = frame_height;
+  const Report report = Simulator::instance().run(options, for_all_views(frames), nullptr);
+  REQUIRE_FALSE(report.mismatch);
+  REQUIRE(report.compared.frames == kViews * sizes.size());
+  for (const ViewStatistics& view : report.views) REQUIRE(view.input_idles == 0);
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("frames of one size go in back to back at one pixel per clock") {
+  const Size size = GENERATE(Size{5, 5}, Size{5, 300}, Size{6, 9}, Size{17, 5}, Size{50, 40},
+                             Size{641, 12}, Size{1920, 6});
+  CAPTURE(size.width, size.height);
+  for (const ViewStatistics& view : back_to_back({size, size, size, size}).views) {
+    CHECK(view.pixels == static_cast<std::uint64_t>(4 * size.width * size.height));
+    CHECK(view.input_stalls <= kFirstLineStalls);
+  }
+}
+
+TEST_CASE("frames of one width and any heights go in back to back at one pixel per clock") {
+  const int width = GENERATE(5, 8, 61);
+  CAPTURE(width);
+  for (const ViewStatistics& view :
+       back_to_back({{width, 40}, {width, 5}, {width, 6}, {width, 23}, {width, 5}}).views) {
+    CHECK(view.input_stalls <= kFirstLineStalls);
+  }
+}
+
+TEST_CASE("a frame of another width waits until the one before has drained: thirteen lines of it") {
+  // Rows from the guard to the vertices: two for each of gradient, first_contour, ridge,
+  // second_contour and the two windows of vertices; one more until the end is known. The clocks
+  // are the latency of the stages' arithmetic.
+  constexpr int kDrainLines = 13;
+  constexpr int kDrainClocks = 80;
+  const int from = GENERATE(5, 40, 300);
+  const int to = GENERATE(7, 60, 299);
+  CAPTURE(from, to);
+  for (const ViewStatistics& view : back_to_back({{from, 20}, {to, 20}}).views) {
+    CHECK(view.input_stalls <= kFirstLineStalls + kDrainLines * from + kDrainClocks);
+    // Not less than what is under way: should it ever be, the documents can promise more.
+    CHECK(view.input_stalls + to >= static_cast<std::uint64_t>(10 * from));
+  }
+}
+
+TEST_CASE("a contour beat leaves at most ten lines and 64 clocks after its pixel came in") {
+  const Size size = GENERATE(Size{5, 8}, Size{50, 40}, Size{450, 12}, Size{1920, 12});
+  CAPTURE(size.width);
+  // The height is known, so the last frame's end waits for no time-out.
+  for (const ViewStatistics& view : back_to_back({size, size}, size.height).views) {
+    CHECK(view.latency_clocks <= static_cast<std::uint64_t>(10 * size.width + 64));
+  }
+}
