@@ -26,7 +26,6 @@ struct Moments {
 
 struct Line {
   Vector2d centre, direction;
-  double residual = 0;  ///< rms across the line, px
 };
 
 /// Mean squared distance across the best line, px^2; 0 without points.
@@ -42,8 +41,13 @@ Line fit(const Moments& m) {
   const Vector2d c(m.x / m.w, m.y / m.w);
   const double sxx = m.xx / m.w - c.x() * c.x(), syy = m.yy / m.w - c.y() * c.y();
   const double sxy = m.xy / m.w - c.x() * c.y();
-  const double angle = 0.5 * std::atan2(2 * sxy, sxx - syy);
-  return {c, {std::cos(angle), std::sin(angle)}, std::sqrt(fit_residual_squared(m))};
+  // Half the angle whose cosine and sine are (sxx - syy, 2 sxy) / spread, without the angle.
+  const double d = sxx - syy, spread = std::sqrt(d * d + 4 * sxy * sxy);
+  if (spread <= 0) return {c, Vector2d::UnitX()};
+  const double larger = std::sqrt(0.5 * (1 + std::abs(d) / spread));
+  const double smaller = sxy / (spread * larger);
+  if (d >= 0) return {c, {larger, smaller}};
+  return {c, {std::abs(smaller), std::copysign(larger, sxy)}};
 }
 
 Vector2d position(const Edgel& e) { return {e.x, e.y}; }
@@ -64,7 +68,7 @@ class Grower {
     const Edgel& e = edgel(seed);
     members_.clear();
     moments_ = {};
-    line_ = {position(e), {e.ny, -e.nx}, 0};
+    line_ = {position(e), {e.ny, -e.nx}};
     add(seed);
     run(+1);
     run(-1);
@@ -91,7 +95,7 @@ class Grower {
     if (members_.size() < 4) return;  // the seed's tangent is better than a fit of so few
     const Line next = fit(moments_);
     const double sign = next.direction.dot(line_.direction) < 0 ? -1 : 1;
-    line_ = {next.centre, sign * next.direction, next.residual};
+    line_ = {next.centre, sign * next.direction};
   }
 
   void run(int sign) {
@@ -179,7 +183,8 @@ Moments moments(const std::vector<Point>& points) {
 
 /// The segment through points in order along it.
 Segment make_segment(const std::vector<Point>& points) {
-  const Line line = fit(moments(points));
+  const Moments m = moments(points);
+  const Line line = fit(m);
   Segment s;
   s.direction = line.direction;
   if (line.direction.dot(points.back().p - points.front().p) < 0) s.direction = -s.direction;
@@ -197,7 +202,7 @@ Segment make_segment(const std::vector<Point>& points) {
   s.strength /= s.support;
   // Neighbouring points share the pixels of the 5x5 masks and the 3x3 smoothing: about every
   // third is independent. Sampling leaves 0.1 px even without noise.
-  const double rms = std::max(line.residual, 0.1);
+  const double rms = std::max(std::sqrt(fit_residual_squared(m)), 0.1);
   s.offset_sigma = rms / std::sqrt(std::max(1.0, s.support / 3.0));
   s.angle_sigma = s.offset_sigma * std::sqrt(12.0) / std::max(s.length, 1.0);
   return s;

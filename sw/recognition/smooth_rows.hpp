@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "golden/features.hpp"
+
+namespace trihedron {
+
+/// One row of a view's gradient, smoothed with the 3x3 binomial [1 2 1] (x) [1 2 1] / 16, in
+/// stream units.
+struct SmoothRow {
+  std::vector<float> gx, gy, magnitude;
+};
+
+/// Computes row y of `features`; the image's outermost pixels are 0 (border rule). The row's
+/// memory is reused.
+void smooth_row(const ViewFeatures& features, int y, SmoothRow& row);
+
+/// The smoothed rows around a middle one that moves down the image: seven rows stay in the
+/// processor's cache, an image's worth would be written to memory and read back.
+class SmoothRows {
+ public:
+  static constexpr int kReach = 3;  ///< rows on either side of the middle one
+
+  explicit SmoothRows(const ViewFeatures& features) : features_(features) {}
+
+  int width() const { return features_.width; }
+  int height() const { return features_.height; }
+  /// Makes y the middle row; the calls go down the image from its top.
+  void move_to(int y);
+  /// A row of the image within kReach of the middle one.
+  const SmoothRow& row(int y) const { return rows_[static_cast<std::size_t>(y) % rows_.size()]; }
+
+ private:
+  const ViewFeatures& features_;
+  std::array<SmoothRow, 2 * kReach + 1> rows_;
+  int next_ = 0;  // first row not computed yet
+};
+
+}  // namespace trihedron
