@@ -2,9 +2,6 @@
 #include "recognition/candidates.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "recognition/projected_model.hpp"
 
 namespace trihedron {
 namespace {
@@ -24,26 +21,6 @@ Eigen::Vector3d vertex_mean(const Model& model, const Transform& pose) {
   return pose * (sum / static_cast<double>(model.mesh.vertices.size()));
 }
 
-/// The score of one edge's image.
-double score_line(const SpreadMap& map, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  constexpr double kStepPx = 16;             // independent answers
-  constexpr double kHit = 0.9, kMiss = 0.1;  // of an edge that is there
-  const Eigen::Vector2d along = b - a;
-  const int count = static_cast<int>(along.norm() / kStepPx);
-  if (count == 0) return 0;
-  const int bin = ContourField::bin_of(-along.y(), along.x());
-  const double chance = std::clamp(map.density[bin], 0.01, 0.9);
-  const double hit = std::log(kHit / chance), miss = std::log(kMiss / (1 - chance));
-  const double width = map.columns * SpreadMap::kCellPx, height = map.rows * SpreadMap::kCellPx;
-  double score = 0;
-  for (int i = 0; i < count; ++i) {
-    const Eigen::Vector2d x = a + (i + 0.5) / count * along;
-    if (x.x() < 0 || x.y() < 0 || x.x() >= width || x.y() >= height) continue;
-    score += map.near(x, bin) ? hit : miss;
-  }
-  return score;
-}
-
 }  // namespace
 
 double pose_distance(const Model& model, const Transform& a, const Transform& b) {
@@ -54,53 +31,40 @@ double pose_distance(const Model& model, const Transform& a, const Transform& b)
   return best;
 }
 
-double quick_score(const std::vector<FieldView>& views, const std::vector<SpreadMap>& maps,
-                   const Model& model, const Transform& world_from_model) {
-  double score = 0;
-  std::vector<Eigen::Vector2d> pixels;
-  for (std::size_t v = 0; v < views.size(); ++v) {
-    const Camera& camera = *views[v].camera;
-    const ProjectedModel projected = project_model(camera, {&model, world_from_model});
-    pixels.clear();
-    for (const Eigen::Vector3d& x : projected.x_in_camera) {
-      pixels.push_back(camera.project_camera(x));
-    }
-    for (const ModelEdge& edge : model.edges) {
-      const bool left = projected.front[edge.left], right = projected.front[edge.right];
-      if ((!left && !right) || (!edge.convex && left != right)) continue;
-      score += score_line(maps[v], pixels[edge.v0], pixels[edge.v1]);
-    }
+Ranker::Ranker(const SceneInput& input) : input_(input) {
+  predictions_.reserve(input.hypotheses.size());
+  for (const PoseHypothesis& h : input.hypotheses) {
+    const Model& model = input.library[h.model];
+    predictions_.push_back({glance_points(input.views, model, h.world_from_model),
+                            vertex_mean(model, h.world_from_model)});
   }
-  return score;
 }
 
-std::vector<RankedHypothesis> rank(const SceneInput& input, const std::vector<SpreadMap>& maps,
-                                   int count) {
+bool Ranker::same(int a, int b) const {
+  const PoseHypothesis &p = input_.hypotheses[a], &q = input_.hypotheses[b];
+  // The means are never farther apart than the vertices are on average.
+  return p.model == q.model &&
+         (predictions_[a].vertex_mean - predictions_[b].vertex_mean).norm() < kSameHypothesisMm &&
+         pose_distance(input_.library[p.model], p.world_from_model, q.world_from_model) <
+             kSameHypothesisMm;
+}
+
+std::vector<RankedHypothesis> Ranker::rank(const std::vector<SpreadMap>& maps, int count) const {
+  const GlanceScorer scorer(maps);
   std::vector<RankedHypothesis> ranked;
-  for (int i = 0; i < static_cast<int>(input.hypotheses.size()); ++i) {
-    const PoseHypothesis& h = input.hypotheses[i];
-    const double score = quick_score(input.views, maps, input.library[h.model], h.world_from_model);
+  for (int i = 0; i < static_cast<int>(predictions_.size()); ++i) {
+    const double score = scorer.score(predictions_[i].points);
     if (score > 0) ranked.push_back({score, i});
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.score > b.score; });
   std::vector<RankedHypothesis> out;
-  std::vector<Eigen::Vector3d> means;
   for (const RankedHypothesis& r : ranked) {
     if (static_cast<int>(out.size()) >= count) break;
-    const PoseHypothesis& h = input.hypotheses[r.hypothesis];
-    const Model& model = input.library[h.model];
-    const Eigen::Vector3d mean = vertex_mean(model, h.world_from_model);
-    bool known = false;
-    for (std::size_t i = 0; i < out.size() && !known; ++i) {
-      const PoseHypothesis& o = input.hypotheses[out[i].hypothesis];
-      // The means are never farther apart than the vertices are on average.
-      known = o.model == h.model && (means[i] - mean).norm() < kSameHypothesisMm &&
-              pose_distance(model, o.world_from_model, h.world_from_model) < kSameHypothesisMm;
-    }
-    if (known) continue;
-    out.push_back(r);
-    means.push_back(mean);
+    const bool known = std::any_of(out.begin(), out.end(), [&](const RankedHypothesis& better) {
+      return same(better.hypothesis, r.hypothesis);
+    });
+    if (!known) out.push_back(r);
   }
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "recognition/glance.hpp"
 #include "recognition/hypotheses.hpp"
 #include "recognition/verification.hpp"
 
@@ -25,15 +26,26 @@ struct RankedHypothesis {
   int hypothesis = 0;
 };
 
-/// A pose's log likelihood ratio against chance, from points on its possible edges and a map per
-/// view: a few microseconds, no hidden lines.
-double quick_score(const std::vector<FieldView>& views, const std::vector<SpreadMap>& maps,
-                   const Model& model, const Transform& world_from_model);
+/// Ranks the hypotheses of a scene by how well they agree with maps of the contours, no hidden
+/// lines removed. What a hypothesis predicts is worked out once, for all its rankings.
+class Ranker {
+ public:
+  explicit Ranker(const SceneInput& input);
 
-/// At most `count` hypotheses better than chance, best first, none near a better one of the same
-/// model. `maps` may leave out contours that are explained.
-std::vector<RankedHypothesis> rank(const SceneInput& input, const std::vector<SpreadMap>& maps,
-                                   int count);
+  /// At most `count` hypotheses better than chance, best first, none near a better one of the same
+  /// model. `maps` may leave out contours that are explained.
+  std::vector<RankedHypothesis> rank(const std::vector<SpreadMap>& maps, int count) const;
+
+ private:
+  struct Prediction {
+    std::vector<GlancePoint> points;
+    Eigen::Vector3d vertex_mean;  ///< world, mm
+  };
+  bool same(int a, int b) const;
+
+  const SceneInput& input_;
+  std::vector<Prediction> predictions_;  ///< per hypothesis
+};
 
 /// A hypothesis on its way to become an object.
 struct Candidate {

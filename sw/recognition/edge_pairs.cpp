@@ -44,13 +44,16 @@ class PairSearch {
   }
 
   void match_second(const Model& model, const DirectedEdge& first, const DirectedEdge& second) {
-    const auto at = [&](int v) { return model.mesh.vertices[static_cast<std::size_t>(v)]; };
-    const std::vector<Vector3d> x_in_model = {at(first.from), at(first.to), at(second.from),
-                                              at(second.to)};
+    const auto at = [&](int v) -> const Vector3d& {
+      return model.mesh.vertices[static_cast<std::size_t>(v)];
+    };
+    const int vertex[4] = {first.from, first.to, second.from, second.to};
     for (std::size_t k = 0; k < 4; ++k) {
-      const double d = (x_in_model[k / 2] - x_in_model[2 + k % 2]).norm();
+      const double d = (at(vertex[k / 2]) - at(vertex[2 + k % 2])).norm();
       if (std::abs(d - distance_[k]) > tolerance_) return;
     }
+    const std::vector<Vector3d> x_in_model = {at(vertex[0]), at(vertex[1]), at(vertex[2]),
+                                              at(vertex[3])};
     const std::vector<Vector3d> x = {a_->end[0], a_->end[1], b_->end[0], b_->end[1]};
     const Transform pose = best_motion(x_in_model, x);
     for (std::size_t k = 0; k < 4; ++k) {

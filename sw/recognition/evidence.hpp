@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-#include <cstdint>
 #include <vector>
 
 #include "recognition/crossing.hpp"
-#include "recognition/model.hpp"
+#include "recognition/index.hpp"
+#include "recognition/segment_grid.hpp"
 #include "recognition/transform.hpp"
 
 namespace trihedron {
@@ -19,7 +18,7 @@ bool all_claimed(const SpaceEdge& edge, const Claims& claimed);
 
 struct EvidenceOptions {
   double tolerance_px = 3;      ///< of a projected edge from a segment, across: before refinement
-  double tolerance_rad = 0.12;  ///< between their directions
+  double tolerance_rad = 0.12;  ///< between their directions, as a sine
   double sample_px = 10;        ///< spacing of the samples along a projected edge
   /// A visible edge of an object that is there shows a segment with this probability: internal
   /// edges are often weak, and other objects hide some.
@@ -34,49 +33,37 @@ class Evidence {
 
   /// Log likelihood ratio "the object is there" against "segments are there by chance", summed
   /// over samples along all edges that turn a surface to a camera. At most `max_samples` per edge.
-  double score(const Model& model, const Transform& world_from_model, int max_samples) const;
+  double score(const ModelSketch& model, const Transform& world_from_model, int max_samples) const;
+
+  /// Whether the pose is so unlikely that score() need not be asked: Wald's sequential test on one
+  /// sample per edge and view, stopped once the evidence against the pose is overwhelming. Most
+  /// poses that come from accidental matches end after a dozen samples.
+  bool hopeless(const ModelSketch& model, const Transform& world_from_model) const;
 
   /// Moves the pose to reduce the distances of hit samples: one Gauss-Newton step.
-  void refine(const Model& model, Transform& world_from_model, int max_samples) const;
+  void refine(const ModelSketch& model, Transform& world_from_model, int max_samples) const;
 
   /// Marks the segments that the pose's edges hit, per view, if the hit share of all samples
   /// reaches `min_share`.
-  void claim(const Model& model, const Transform& world_from_model, double min_share,
+  void claim(const ModelSketch& model, const Transform& world_from_model, double min_share,
              Claims& claimed) const;
 
  private:
   /// A sample of a projected edge.
   struct Sample {
     std::size_t view;
-    const ModelEdge* edge;
-    double along;  ///< 0: at v0, 1: at v1
-    int segment;   ///< of the view, that it hits; kMiss or kOutside
-  };
-  static constexpr int kMiss = -1, kOutside = -2;
-
-  /// A segment as the look-up needs it.
-  struct Stroke {
-    float nx, ny, offset;  ///< distance of p: n . p - offset, px
-    float start, length;   ///< along (ny, -nx), px
-  };
-  struct Grid {
-    int columns = 0, rows = 0;
-    std::vector<std::int32_t> start;    ///< per cell: its range in `segment`
-    std::vector<std::int32_t> segment;  ///< segments that pass near the cell
-    std::vector<Stroke> strokes;        ///< per segment
+    const EdgeSketch* edge;
+    float along;  ///< 0: at x0, 1: at x1
+    int segment;  ///< of the view, that it hits, or SegmentGrid::kMiss
   };
 
-  Grid make_grid(const ViewLines& view) const;
-  int find(const Grid& grid, float x, float y, float dx, float dy) const;
   template <typename Visitor>
-  void visit(const Model& model, const Transform& pose, int max_samples, Visitor&& visitor) const;
-  template <typename Visitor>
-  void visit_view(std::size_t view, const Model& model, const Transform& pose, int max_samples,
-                  Visitor&& visitor) const;
+  void visit(const ModelSketch& model, const Transform& pose, int max_samples,
+             Visitor&& visitor) const;
 
   const std::vector<ViewLines>& views_;
   EvidenceOptions options_;
-  std::vector<Grid> grids_;
+  std::vector<SegmentGrid> grids_;
   std::vector<double> log_hit_, log_miss_;
 };
 

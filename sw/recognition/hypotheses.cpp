@@ -221,15 +221,14 @@ std::vector<PoseHypothesis> find_hypotheses(const std::vector<ViewLines>& views,
                                             const HypothesisOptions& options,
                                             HypothesisStatistics* statistics) {
   const Evidence evidence(views);
-  PosePool pool(evidence, library, options);
+  PosePool pool(evidence, library, index, options);
   Search search(views, edges, index, options, pool);
   Claims claimed;
   for (const ViewLines& v : views) claimed.emplace_back(v.segments.size(), 0);
   search.from_whole_edges(false, claimed);
   // Whole edges find most objects at little cost; the rest is searched for what is left.
   for (const PoseHypothesis& h : pool.settle()) {
-    evidence.claim(library[static_cast<std::size_t>(h.model)], h.world_from_model,
-                   options.claim_share, claimed);
+    evidence.claim(index.sketch(h.model), h.world_from_model, options.claim_share, claimed);
   }
   search.from_whole_edges(true, claimed);
   poses_from_edge_pairs(views, edges, library, index, options, claimed, pool);

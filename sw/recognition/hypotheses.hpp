@@ -23,8 +23,8 @@ struct HypothesisOptions {
   /// Poses from whole edges whose samples hit segments this often keep their segments from being
   /// searched for corners: a wrong pose shares some edges with the truth, rarely most.
   double claim_share = 0.7;
-  int max_coarse = 3000;  ///< poses that are refined and scored finely
-  int max_hypotheses = 1000;
+  int max_coarse = 1000;  ///< poses that are refined and scored finely
+  int max_hypotheses = 400;
 };
 
 struct HypothesisStatistics {

@@ -86,6 +86,28 @@ void append_edges(const Model& model, int index, std::vector<DirectedEdge>& out)
   }
 }
 
+ModelSketch sketch_of(const Model& model) {
+  ModelSketch out;
+  out.diameter = model.diameter;
+  out.vertex_mean.setZero();
+  for (const Eigen::Vector3d& x : model.mesh.vertices) out.vertex_mean += x;
+  out.vertex_mean /= static_cast<double>(model.mesh.vertices.size());
+  std::vector<ModelEdge> edges = model.edges;
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const ModelEdge& a, const ModelEdge& b) { return a.length > b.length; });
+  const auto vertex = [&](int v) -> Eigen::Vector3f {
+    return model.mesh.vertices[static_cast<std::size_t>(v)].cast<float>();
+  };
+  for (const ModelEdge& e : edges) {
+    const Surface& left = model.surfaces[static_cast<std::size_t>(e.left)];
+    const Surface& right = model.surfaces[static_cast<std::size_t>(e.right)];
+    out.edges.push_back({vertex(e.v0), vertex(e.v1), left.normal.cast<float>(),
+                         right.normal.cast<float>(), static_cast<float>(left.offset),
+                         static_cast<float>(right.offset)});
+  }
+  return out;
+}
+
 /// The entries of a sorted list whose key lies in [low, high].
 template <typename T>
 LibraryIndex::Range<T> range(const std::vector<T>& sorted, double T::*key, double low,
@@ -107,6 +129,7 @@ void sort_by(std::vector<T>& list, double T::*key) {
 
 LibraryIndex::LibraryIndex(const std::vector<Model>& library) {
   for (std::size_t i = 0; i < library.size(); ++i) {
+    sketches_.push_back(sketch_of(library[i]));
     append_corners(library[i], static_cast<int>(i), by_length_);
     append_edges(library[i], static_cast<int>(i), edges_);
   }

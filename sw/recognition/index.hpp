@@ -31,6 +31,20 @@ struct DirectedEdge {
   double length = 0;     ///< mm
 };
 
+/// An edge of a model and its two surfaces, packed for scanning.
+struct EdgeSketch {
+  Eigen::Vector3f x0, x1;                   ///< ends, model frame, mm
+  Eigen::Vector3f left, right;              ///< normals of its surfaces
+  float left_offset = 0, right_offset = 0;  ///< normal . x on the surface, mm
+};
+
+/// What is asked of a model for every pose.
+struct ModelSketch {
+  std::vector<EdgeSketch> edges;  ///< longest first: they are the surest seen
+  Eigen::Vector3d vertex_mean;    ///< model frame, mm; every symmetry leaves it in place
+  double diameter = 0;            ///< mm
+};
+
 /// The corners of a library, ordered for look-up. Of corners that a symmetry of their model maps
 /// onto each other, only one is kept: the others would give the same poses.
 class LibraryIndex {
@@ -51,8 +65,11 @@ class LibraryIndex {
   Range<ModelCorner> by_angle(double low, double high) const;
   /// Edges between `low` and `high` mm long, both ways unless a symmetry makes them one.
   Range<DirectedEdge> edges_by_length(double low, double high) const;
+  /// The sketch of a model, by its index in the library.
+  const ModelSketch& sketch(int model) const { return sketches_[static_cast<std::size_t>(model)]; }
 
  private:
+  std::vector<ModelSketch> sketches_;
   std::vector<ModelCorner> by_length_, by_angle_;
   std::vector<DirectedEdge> edges_;
 };

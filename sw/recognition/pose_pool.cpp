@@ -42,18 +42,22 @@ void PosePool::add(int model, const Transform& pose) {
   constexpr int kPerBin = 2;
   if (++count_[bin(model, pose)] > kPerBin) return;
   ++scored_;
-  PoseHypothesis h{model, pose, 0};
-  h.support = evidence_.score(library_[static_cast<std::size_t>(model)], pose, 2);
+  const ModelSketch& sketch = index_.sketch(model);
+  if (evidence_.hopeless(sketch, pose)) return;
+  const PoseHypothesis h{model, pose, evidence_.score(sketch, pose, 2)};
   if (h.support > 0) fresh_.push_back(h);
 }
 
-bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const {
-  if (a.model != b.model) return false;
+Vector3d PosePool::vertex_mean(const PoseHypothesis& h) const {
+  return h.world_from_model * index_.sketch(h.model).vertex_mean;
+}
+
+/// Whether two poses of one model put every vertex in the same place, up to a symmetry.
+bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double limit_mm) const {
   const Model& m = library_[static_cast<std::size_t>(a.model)];
-  const double squared = limit * limit * m.diameter * m.diameter;
   const auto close = [&](const Transform& pose) {
     return std::all_of(m.mesh.vertices.begin(), m.mesh.vertices.end(), [&](const Vector3d& x) {
-      return (pose * x - b.world_from_model * x).squaredNorm() < squared;
+      return (pose * x - b.world_from_model * x).squaredNorm() < limit_mm * limit_mm;
     });
   };
   if (close(a.world_from_model)) return true;
@@ -61,12 +65,26 @@ bool PosePool::same(const PoseHypothesis& a, const PoseHypothesis& b, double lim
                      [&](const Transform& s) { return close(a.world_from_model * s); });
 }
 
+/// Keeps the first of equal poses, in order; `limit` is a share of the diameter.
 void PosePool::merge(std::vector<PoseHypothesis>& poses, double limit) const {
+  struct Kept {
+    std::size_t index;
+    Vector3d mean;
+  };
+  std::unordered_map<int, std::vector<Kept>> kept_of_model;
   std::vector<PoseHypothesis> out;
   for (const PoseHypothesis& h : poses) {
-    const bool known = std::any_of(
-        out.begin(), out.end(), [&](const PoseHypothesis& other) { return same(h, other, limit); });
-    if (!known) out.push_back(h);
+    std::vector<Kept>& kept = kept_of_model[h.model];
+    const double limit_mm = limit * index_.sketch(h.model).diameter;
+    const Vector3d mean = vertex_mean(h);
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Kept& other) {
+      // Poses that agree in every vertex agree in the vertices' mean, whatever the symmetry.
+      return (mean - other.mean).squaredNorm() < limit_mm * limit_mm &&
+             same(h, out[other.index], limit_mm);
+    });
+    if (known) continue;
+    kept.push_back({out.size(), mean});
+    out.push_back(h);
   }
   poses = std::move(out);
 }
@@ -76,9 +94,9 @@ const std::vector<PoseHypothesis>& PosePool::settle() {
   sort_best(fresh_, options_.max_coarse);
   merge(fresh_, kSameBefore);
   for (PoseHypothesis& h : fresh_) {
-    const Model& m = library_[static_cast<std::size_t>(h.model)];
-    for (int k = 0; k < 2; ++k) evidence_.refine(m, h.world_from_model, 4);
-    h.support = evidence_.score(m, h.world_from_model, 8);
+    const ModelSketch& sketch = index_.sketch(h.model);
+    for (int k = 0; k < 2; ++k) evidence_.refine(sketch, h.world_from_model, 4);
+    h.support = evidence_.score(sketch, h.world_from_model, 8);
   }
   settled_.insert(settled_.end(), fresh_.begin(), fresh_.end());
   fresh_.clear();

@@ -14,11 +14,11 @@ namespace trihedron {
 /// Collects poses, scores those that are new, and hands out the best, refined and merged.
 class PosePool {
  public:
-  PosePool(const Evidence& evidence, const std::vector<Model>& library,
+  PosePool(const Evidence& evidence, const std::vector<Model>& library, const LibraryIndex& index,
            const HypothesisOptions& options)
-      : evidence_(evidence), library_(library), options_(options) {}
+      : evidence_(evidence), library_(library), index_(index), options_(options) {}
 
-  /// Scores the pose unless enough poses like it were scored before.
+  /// Scores the pose unless enough poses like it were scored before or it is hopeless.
   void add(int model, const Transform& world_from_model);
 
   /// Refines the best poses added since the last call on the segments and merges equal ones (up
@@ -30,11 +30,13 @@ class PosePool {
 
  private:
   std::uint64_t bin(int model, const Transform& pose) const;
-  bool same(const PoseHypothesis& a, const PoseHypothesis& b, double limit) const;
+  Eigen::Vector3d vertex_mean(const PoseHypothesis& h) const;
+  bool same(const PoseHypothesis& a, const PoseHypothesis& b, double limit_mm) const;
   void merge(std::vector<PoseHypothesis>& poses, double limit) const;
 
   const Evidence& evidence_;
   const std::vector<Model>& library_;
+  const LibraryIndex& index_;
   const HypothesisOptions& options_;
   std::vector<PoseHypothesis> fresh_, settled_;
   std::unordered_map<std::uint64_t, int> count_;  ///< poses scored per bin

@@ -18,6 +18,8 @@ ProjectedModel::Box empty_box() {
   return {Eigen::Vector2d::Constant(1e300), Eigen::Vector2d::Constant(-1e300)};
 }
 
+}  // namespace
+
 bool faces_camera(const Camera& camera, const Eigen::Vector3d& normal, double offset,
                   double distance) {
   // Pinhole: the camera centre lies outside the surface's plane; orthographic: the normal
@@ -26,8 +28,6 @@ bool faces_camera(const Camera& camera, const Eigen::Vector3d& normal, double of
   return -normal.z() > kEdgeOnSine;
 }
 
-}  // namespace
-
 ProjectedModel project_model(const Camera& camera, const PlacedModel& placed) {
   const Model& model = *placed.model;
   const Transform camera_from_model = camera.camera_from_world * placed.world_from_model;
@@ -35,6 +35,12 @@ ProjectedModel project_model(const Camera& camera, const PlacedModel& placed) {
   ProjectedModel out;
   out.model = &model;
   out.box = empty_box();
+  out.x_in_camera.reserve(model.mesh.vertices.size());
+  out.ideal.reserve(model.mesh.vertices.size());
+  out.normals.reserve(model.surfaces.size());
+  out.offsets.reserve(model.surfaces.size());
+  out.front.reserve(model.surfaces.size());
+  out.boxes.reserve(model.surfaces.size());
   bool in_front = true;
   for (const Eigen::Vector3d& vertex : model.mesh.vertices) {
     const Eigen::Vector3d x = camera_from_model * vertex;

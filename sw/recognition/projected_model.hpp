@@ -25,6 +25,11 @@ struct ProjectedModel {
   Box box;                                   ///< the whole model
 };
 
+/// Whether a surface of that plane (normal . x = offset, camera frame) is turned towards the
+/// camera. Seen edge-on within rounding, at `distance` mm from the camera, it is not.
+bool faces_camera(const Camera& camera, const Eigen::Vector3d& normal, double offset,
+                  double distance);
+
 /// Throws nothing; a model that reaches behind a pinhole camera has no front surfaces.
 ProjectedModel project_model(const Camera& camera, const PlacedModel& placed);
 

@@ -32,12 +32,16 @@ const Lookalikes& SceneSearch::lookalikes(int model) {
   return lookalikes_[model] = find_lookalikes(input_.library[model]);
 }
 
+/// How well a pose agrees with all contours, no hidden lines removed.
+double SceneSearch::at_a_glance(const Model& model, const Transform& pose) const {
+  return all_contours_.score(glance_points(input_.views, model, pose));
+}
+
 /// Refines the best hypotheses that claim an object's place with another answer.
 void SceneSearch::find_rivals(int winner) {
-  const double own = quick_score(input_.views, input_.maps, *placed(winner).model,
-                                 placed(winner).world_from_model);
+  const double own = at_a_glance(*placed(winner).model, placed(winner).world_from_model);
   int found = 0;
-  for (const RankedHypothesis& ranked : rank(input_, input_.maps, options_.ranked)) {
+  for (const RankedHypothesis& ranked : first_ranking_) {
     if (found >= kRivals || ranked.score < kRivalShare * own) break;
     const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
     const PlacedModel place{&input_.library[h.model], h.world_from_model};
@@ -65,11 +69,11 @@ bool SceneSearch::is_rival(int i, int winner) {
 /// as well at a glance.
 void SceneSearch::add_turned(int winner) {
   const PlacedModel place = placed(winner);
-  const double own = quick_score(input_.views, input_.maps, *place.model, place.world_from_model);
+  const double own = at_a_glance(*place.model, place.world_from_model);
   const int model = candidates_[winner].model;
   for (const Transform& turn : lookalikes(model).turned) {
     const Transform pose = place.world_from_model * turn;
-    if (quick_score(input_.views, input_.maps, *place.model, pose) < kRivalShare * own) continue;
+    if (at_a_glance(*place.model, pose) < kRivalShare * own) continue;
     add(make_candidate(input_, model, pose, kLookalikeReachesMm));
   }
 }
@@ -80,7 +84,7 @@ bool SceneSearch::mirrored_as_good(int winner) {
   const Lookalikes& alike = lookalikes(candidates_[winner].model);
   if (!alike.mirrored) return false;
   const PlacedModel place = placed(winner);
-  const double own = quick_score(input_.views, input_.maps, *place.model, place.world_from_model);
+  const double own = at_a_glance(*place.model, place.world_from_model);
   const double enough = candidates_[winner].verdict.log_against_chance * (1 - kAmbiguous);
   int position = 0;
   std::vector<PlacedModel> context = context_of(winner, position);
@@ -89,7 +93,7 @@ bool SceneSearch::mirrored_as_good(int winner) {
   near.exact_rounds = 2;
   for (const Transform& motion : alike.mirrored_onto) {
     const Transform pose = place.world_from_model * motion;
-    if (quick_score(input_.views, input_.maps, *alike.mirrored, pose) < kRivalShare * own) continue;
+    if (at_a_glance(*alike.mirrored, pose) < kRivalShare * own) continue;
     context[position] = {&*alike.mirrored, pose};
     const RefinedPose refined = refine(input_.views, context, position, near);
     if (refined.converged) context[position].world_from_model = refined.world_from_model;

@@ -20,7 +20,12 @@ constexpr double kSamePoseMm = 1.0;
 }  // namespace
 
 SceneSearch::SceneSearch(const SceneInput& input, const SceneSearchOptions& options)
-    : input_(input), options_(options), tried_(input.hypotheses.size(), 0) {}
+    : input_(input),
+      options_(options),
+      ranker_(input),
+      first_ranking_(ranker_.rank(input.maps, options.ranked)),
+      all_contours_(input.maps),
+      tried_(input.hypotheses.size(), 0) {}
 
 void SceneSearch::run() {
   for (int idle = 0; idle < options_.patience;) {
@@ -74,14 +79,14 @@ bool SceneSearch::below_table(const Candidate& candidate, std::string& reason) c
 }
 
 std::vector<RankedHypothesis> SceneSearch::rank_rest() {
-  if (active_.empty()) return rank(input_, input_.maps, options_.ranked);
+  if (active_.empty()) return first_ranking_;
   std::vector<PlacedModel> objects;
   for (int i : active_) objects.push_back(placed(i));
   std::vector<SpreadMap> maps;
   for (const FieldView& view : input_.views) {
     maps.push_back(spread_map(*view.field, visible_edges(*view.camera, objects)));
   }
-  return rank(input_, maps, options_.ranked);
+  return ranker_.rank(maps, options_.ranked);
 }
 
 bool SceneSearch::try_batch() {

@@ -52,6 +52,7 @@ class SceneSearch {
   void judge(int i);
   bool remove_worst();
   void settle();
+  double at_a_glance(const Model& model, const Transform& pose) const;
   void find_rivals(int winner);
   void add_turned(int winner);
   bool mirrored_as_good(int winner);
@@ -62,6 +63,9 @@ class SceneSearch {
 
   const SceneInput& input_;
   SceneSearchOptions options_;
+  Ranker ranker_;
+  std::vector<RankedHypothesis> first_ranking_;  ///< by all contours
+  GlanceScorer all_contours_;
   std::vector<Candidate> candidates_;
   std::vector<char> dead_;
   std::vector<int> active_;

@@ -23,11 +23,10 @@ struct SpreadMap {
   /// 2 px) of about the bin's direction.
   double found[ContourField::kBins] = {};
 
-  bool near(const Eigen::Vector2d& x, int bin) const {
-    const int column = static_cast<int>(x.x()) / kCellPx, row = static_cast<int>(x.y()) / kCellPx;
-    if (x.x() < 0 || x.y() < 0 || column >= columns || row >= rows) return false;
-    return (cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                  static_cast<std::size_t>(column)] >>
+  /// Whether a contour of the bin's direction is near pixel (x, y), which lies in the image.
+  bool near(int x, int y, int bin) const {
+    return (cells[static_cast<std::size_t>(y / kCellPx) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(x / kCellPx)] >>
             bin) &
            1;
   }

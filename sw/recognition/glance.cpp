@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "recognition/glance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recognition/projected_model.hpp"
+
+namespace trihedron {
+namespace {
+
+/// A model's vertices and surfaces as a camera sees them.
+struct Seen {
+  std::vector<Eigen::Vector2d> pixels;  // vertices
+  std::vector<char> front;              // surfaces
+};
+
+void look(const Camera& camera, const Model& model, const Transform& world_from_model, Seen& seen) {
+  const Transform camera_from_model = camera.camera_from_world * world_from_model;
+  const bool pinhole = camera.projection == Camera::Projection::kPinhole;
+  seen.pixels.clear();
+  bool in_front = true;
+  for (const Eigen::Vector3d& vertex : model.mesh.vertices) {
+    const Eigen::Vector3d x = camera_from_model * vertex;
+    in_front = in_front && (!pinhole || x.z() > 1.0);
+    seen.pixels.push_back(camera.project_camera(x));
+  }
+  seen.front.clear();
+  for (const Surface& surface : model.surfaces) {
+    const Eigen::Vector3d normal = camera_from_model.R * surface.normal;
+    const double offset = surface.offset + normal.dot(camera_from_model.t);
+    const double distance = (camera_from_model * surface.centroid).norm();
+    seen.front.push_back(in_front && faces_camera(camera, normal, offset, distance));
+  }
+}
+
+void append_line(const Camera& camera, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int view,
+                 std::vector<GlancePoint>& out) {
+  constexpr double kStepPx = 16;  // independent answers
+  const Eigen::Vector2d along = b - a;
+  const int count = static_cast<int>(along.norm() / kStepPx);
+  const int bin = ContourField::bin_of(-along.y(), along.x());
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector2d x = a + (i + 0.5) / count * along;
+    if (!(x.x() >= 0 && x.y() >= 0 && x.x() < camera.width_px && x.y() < camera.height_px))
+      continue;
+    out.push_back({static_cast<std::int16_t>(x.x()), static_cast<std::int16_t>(x.y()),
+                   static_cast<std::uint8_t>(view), static_cast<std::uint8_t>(bin)});
+  }
+}
+
+}  // namespace
+
+std::vector<GlancePoint> glance_points(const std::vector<FieldView>& views, const Model& model,
+                                       const Transform& world_from_model) {
+  std::vector<GlancePoint> out;
+  Seen seen;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    look(*views[v].camera, model, world_from_model, seen);
+    for (const ModelEdge& edge : model.edges) {
+      const bool left = seen.front[edge.left], right = seen.front[edge.right];
+      if ((!left && !right) || (!edge.convex && left != right)) continue;
+      append_line(*views[v].camera, seen.pixels[edge.v0], seen.pixels[edge.v1], static_cast<int>(v),
+                  out);
+    }
+  }
+  return out;
+}
+
+GlanceScorer::GlanceScorer(const std::vector<SpreadMap>& maps) : maps_(maps) {
+  constexpr double kHit = 0.9, kMiss = 0.1;  // of an edge that is there
+  for (const SpreadMap& map : maps) {
+    for (const double density : map.density) {
+      const double chance = std::clamp(density, 0.01, 0.9);
+      odds_.push_back({{std::log(kMiss / (1 - chance)), std::log(kHit / chance)}});
+    }
+  }
+}
+
+double GlanceScorer::score(const std::vector<GlancePoint>& points) const {
+  double sum = 0;
+  for (const GlancePoint& p : points) {
+    const Odds& odds = odds_[static_cast<std::size_t>(p.view) * ContourField::kBins + p.bin];
+    sum += odds.answer[maps_[p.view].near(p.x, p.y, p.bin)];
+  }
+  return sum;
+}
+
+}  // namespace trihedron

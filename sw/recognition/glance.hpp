@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "recognition/refinement.hpp"
+#include "recognition/spread_map.hpp"
+
+namespace trihedron {
+
+/// A point that a pose predicts on the image of one of the model's possible edges: those that turn
+/// a surface to the camera, no hidden lines removed.
+struct GlancePoint {
+  std::int16_t x, y;  ///< px
+  std::uint8_t view;
+  std::uint8_t bin;  ///< direction of the edge's normal
+};
+
+/// The points of a pose in all views, 16 px apart and inside the images.
+std::vector<GlancePoint> glance_points(const std::vector<FieldView>& views, const Model& model,
+                                       const Transform& world_from_model);
+
+/// Scores points against a map per view: the log likelihood ratio of "the model is there" against
+/// chance. The points of a pose are found once and scored against many maps, which costs a
+/// nanosecond a point.
+class GlanceScorer {
+ public:
+  explicit GlanceScorer(const std::vector<SpreadMap>& maps);
+
+  double score(const std::vector<GlancePoint>& points) const;
+
+ private:
+  /// What a point adds, by view and bin.
+  struct Odds {
+    double answer[2];  ///< [0]: no contour near, [1]: one
+  };
+  const std::vector<SpreadMap>& maps_;
+  std::vector<Odds> odds_;  ///< view * kBins + bin
+};
+
+}  // namespace trihedron
