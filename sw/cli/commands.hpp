@@ -22,6 +22,8 @@ void add_recognize(CLI::App& program, int& exit_code);
 void add_evaluate(CLI::App& program, int& exit_code);
 void add_models(CLI::App& program, int& exit_code);
 void add_render(CLI::App& program, int& exit_code);
+void add_calibrate(CLI::App& program, int& exit_code);
+void add_rig(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
 void add_verify(CLI::App& program, int& exit_code);
 

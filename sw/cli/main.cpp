@@ -65,6 +65,8 @@ int main(int argc, char** argv) {
   add_evaluate(program, exit_code);
   add_models(program, exit_code);
   add_render(program, exit_code);
+  add_calibrate(program, exit_code);
+  add_rig(program, exit_code);
   add_simulate(program, exit_code);
   add_verify(program, exit_code);
   try {
