@@ -100,10 +100,13 @@ std::vector<Eigen::Vector3d> board_points(const Board& board) {
 std::vector<cv::Point2f> find_board(const cv::Mat& grey, const Board& board) {
   const cv::Size pattern(board.columns, board.rows);
   Corners corners;
-  const bool found = cv::findChessboardCorners(
-      grey, pattern, corners, cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE);
-  if (!found && !cv::findChessboardCornersSB(grey, pattern, corners, cv::CALIB_CB_NORMALIZE_IMAGE))
-    return {};
+  // The first is quick and sees steep boards, the second finds a few blurred ones beside.
+  const bool found =
+      cv::findChessboardCornersSB(grey, pattern, corners, cv::CALIB_CB_NORMALIZE_IMAGE) ||
+      cv::findChessboardCorners(
+          grey, pattern, corners,
+          cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_FAST_CHECK);
+  if (!found) return {};
   const int half = window_px(board, corners);
   constexpr int kMaxSteps = 50;
   constexpr double kConverged_px = 1e-3;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace trihedron::cli {
 
@@ -26,5 +28,8 @@ void add_calibrate(CLI::App& program, int& exit_code);
 void add_rig(CLI::App& program, int& exit_code);
 void add_simulate(CLI::App& program, int& exit_code);
 void add_verify(CLI::App& program, int& exit_code);
+
+/// `merge` stores the command line that the program shall run in its place.
+void add_merge(CLI::App& program, std::vector<std::string>& next_words);
 
 }  // namespace trihedron::cli

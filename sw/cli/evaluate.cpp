@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/evaluation_report.hpp"
 #include "cli/evaluation_table.hpp"
 #include "cli/scene_outcome.hpp"
-#include "cli/workers.hpp"
+#include "cli/shards.hpp"
 #include "golden/error.hpp"
 #include "io/file.hpp"
 #include "report/page.hpp"
@@ -19,10 +20,11 @@ namespace fs = std::filesystem;
 
 struct Arguments {
   RecognitionArguments recognition;
+  ShardArguments shard;
   std::string dataset, csv, features, report;
   std::vector<std::string> report_scenes = {"failed"};
   int jobs = 1;
-  bool json = false, tables = false;
+  bool json = false, tables = false, quiet = false;
 };
 
 /// Before the work: a place that cannot be written must not cost the results.
@@ -33,8 +35,10 @@ void check_writable(const std::string& csv) {
   if (fs::is_directory(csv)) throw Error(csv + ": --csv is a folder; expected a file name");
 }
 
-std::vector<SceneOutcome> process(const Arguments& arguments, const std::vector<fs::path>& scenes,
-                                  const std::vector<Model>& library) {
+/// Nothing when only a shard was run.
+std::optional<std::vector<SceneOutcome>> process(const Arguments& arguments,
+                                                 const std::vector<fs::path>& scenes,
+                                                 const std::vector<Model>& library) {
   FrontEnd front_end;  // made in the worker: a simulation lives in one process
   report::HardwareActivity activity;
   const SceneRequest request{arguments.recognition,
@@ -45,9 +49,10 @@ std::vector<SceneOutcome> process(const Arguments& arguments, const std::vector<
     if (!front_end) front_end = arguments.recognition.make_front_end(&activity);
     return to_text(process_scene(scenes[i], front_end, activity, library, request));
   };
+  const auto texts = run_sharded(scenes.size(), arguments.jobs, "scenes", arguments.shard, work);
+  if (!texts) return std::nullopt;
   std::vector<SceneOutcome> outcomes;
-  for (const std::string& text : run_workers(scenes.size(), arguments.jobs, "scenes", work))
-    outcomes.push_back(from_text(text));
+  for (const std::string& text : *texts) outcomes.push_back(from_text(text));
   return outcomes;
 }
 
@@ -58,7 +63,9 @@ int run(const Arguments& arguments) {
   report::check_report_file(arguments.report);
   check_report_scenes(arguments.report_scenes, scenes);
   if (!arguments.features.empty()) make_folder(arguments.features);
-  const std::vector<SceneOutcome> outcomes = process(arguments, scenes, library);
+  const auto processed = process(arguments, scenes, library);
+  if (!processed) return kDone;
+  const std::vector<SceneOutcome>& outcomes = *processed;
 
   std::vector<ResultRow> rows;
   for (const SceneOutcome& outcome : outcomes)
@@ -68,7 +75,8 @@ int run(const Arguments& arguments) {
     write_evaluation_report(arguments.report, arguments.dataset, outcomes);
   for (const SceneOutcome& outcome : outcomes)
     if (!outcome.tables.empty()) fmt::print("{}\n", outcome.tables);
-  fmt::print("{}", arguments.json ? evaluation_json(outcomes) : evaluation_table(outcomes));
+  if (!arguments.quiet)
+    fmt::print("{}", arguments.json ? evaluation_json(outcomes) : evaluation_table(outcomes));
   return rows.empty() ? kNothingFound : kDone;
 }
 
@@ -107,6 +115,8 @@ void add_evaluate(CLI::App& program, int& exit_code) {
       ->add_flag("--tables", arguments->tables,
                  "Print the source paper's tables 1-6 of every scene first (--method paper)")
       ->excludes(json);
+  command->add_flag("--quiet", arguments->quiet, "Print no table");
+  arguments->shard.add_to(*command);
   command->footer(
       "Example:\n"
       "  trihedron evaluate testvectors/scenes --models testvectors/models10 \\\n"

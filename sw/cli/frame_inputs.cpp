@@ -58,8 +58,8 @@ sim::GreyImage to_grey_image(const cv::Mat& grey) {
   return image;
 }
 
-FrameInputs::FrameInputs(const std::vector<std::string>& inputs, bool keep_going)
-    : keep_going_(keep_going) {
+FrameInputs::FrameInputs(const std::vector<std::string>& inputs, bool skip_unreadable)
+    : skip_unreadable_(skip_unreadable) {
   for (const std::string& input : inputs) add(input);
 }
 
@@ -114,13 +114,13 @@ void FrameInputs::add_scene(const fs::path& scene) {
 }
 
 std::optional<InputFrame> FrameInputs::next() {
-  while (!items_.empty()) {
+  while (!items_.empty() && number_ < last_) {
     const Item item = items_.front();
     try {
       std::optional<InputFrame> frame = item.video ? next_of_video(item) : next_image(item);
       if (frame) return frame;
     } catch (const Error& error) {
-      if (!keep_going_) throw;
+      if (!skip_unreadable_) throw;
       std::fprintf(stderr, "trihedron: %s; passed over\n", error.what());
       if (item.video) end_video();
     }
@@ -130,6 +130,7 @@ std::optional<InputFrame> FrameInputs::next() {
 
 std::optional<InputFrame> FrameInputs::next_image(const Item& item) {
   items_.pop_front();
+  if (number_++ < first_) return std::nullopt;
   cv::Mat image = read_grey(item.path);
   check_size(image, item.path.string());
   return InputFrame{std::move(image), item.sequence, item.id, item.view};
@@ -141,6 +142,7 @@ std::optional<InputFrame> FrameInputs::next_of_video(const Item& item) {
     end_video();
     return std::nullopt;
   }
+  if (number_++ < first_) return std::nullopt;
   cv::Mat image = video_->retrieve();
   check_size(image, video_->place());
   return InputFrame{std::move(image), item.sequence, video_->grabbed() - 1, item.view};

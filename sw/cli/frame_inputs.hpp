@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <filesystem>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -28,13 +29,19 @@ struct InputFrame {
 /// and cameras (camera:0), one after the other; only one image is in memory.
 class FrameInputs {
  public:
-  /// With `keep_going`, unreadable images and videos that end early are reported on stderr and
+  /// With `skip_unreadable`, unreadable images and videos that end early are reported on stderr and
   /// passed over. Throws Error when an input does not exist or a folder holds no image.
-  FrameInputs(const std::vector<std::string>& inputs, bool keep_going);
+  FrameInputs(const std::vector<std::string>& inputs, bool skip_unreadable);
 
   /// The next frame, or nothing after the last. Throws Error on an unreadable image, a video that
   /// ends early, or a frame outside the sizes that this build of the hardware takes.
   std::optional<InputFrame> next();
+
+  /// Only the frames from number `first` to before `last`, unreadable ones counted.
+  void take(std::size_t first, std::size_t last) {
+    first_ = first;
+    last_ = last;
+  }
 
   /// Frames in all, as far as the files say; nothing with a live camera.
   std::optional<std::size_t> count() const {
@@ -62,7 +69,9 @@ class FrameInputs {
   std::deque<Item> items_;
   std::optional<FrameStream> video_;  ///< the first item, while it is read
   std::size_t count_ = 0;
-  bool endless_ = false, keep_going_ = false;
+  std::size_t number_ = 0;  ///< of the next frame
+  std::size_t first_ = 0, last_ = std::numeric_limits<std::size_t>::max();
+  bool endless_ = false, skip_unreadable_ = false;
 };
 
 }  // namespace trihedron::cli

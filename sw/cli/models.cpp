@@ -13,7 +13,7 @@ namespace {
 
 struct Arguments {
   std::string folder;
-  bool surfaces = false, json = false;
+  bool surfaces = false, json = false, quiet = false;
 };
 
 std::size_t edges_of(const Surface& surface) {
@@ -73,6 +73,7 @@ nlohmann::ordered_json to_json(const Model& model) {
 
 void run(const Arguments& arguments) {
   const std::vector<Model> library = read_library(arguments.folder);
+  if (arguments.quiet) return;
   if (arguments.json) {
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
     for (const Model& model : library) out.push_back(to_json(model));
@@ -97,6 +98,7 @@ void add_models(CLI::App& program, int& exit_code) {
       ->required();
   command->add_flag("--surfaces", arguments->surfaces, "List every surface");
   command->add_flag("--json", arguments->json, "Print as JSON, surfaces included");
+  command->add_flag("--quiet", arguments->quiet, "Print nothing: only check the meshes");
   command->footer("Example:\n  trihedron models testvectors/models10 --surfaces");
   command->callback([arguments, &exit_code] {
     run(*arguments);

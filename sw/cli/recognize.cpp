@@ -9,6 +9,7 @@
 #include "cli/paper_tables.hpp"
 #include "cli/recognition_options.hpp"
 #include "cli/recognize_stream.hpp"
+#include "cli/terminal.hpp"
 #include "golden/error.hpp"
 #include "io/bop_results.hpp"
 #include "io/file.hpp"
@@ -52,8 +53,10 @@ void print_result(const Scene& scene, const RecognitionResult& result,
   if (result.objects.empty()) {
     fmt::print("scene {}: no object of the library found\n", scene.name);
   } else {
-    fmt::print("{:<18} {:>6}  {:>26}  {:>23}  {:>5}  {:>3}  {}\n", "object", "score",
-               "position in world, mm", "rotation vector, deg", "px", "srf", "runner-up");
+    const std::string heading =
+        fmt::format("{:<18} {:>6}  {:>26}  {:>23}  {:>5}  {:>3}  {}", "object", "score",
+                    "position in world, mm", "rotation vector, deg", "px", "srf", "runner-up");
+    fmt::print("{}\n", toned(stdout, Tone::kHeading, heading));
     for (const RecognizedObject& object : result.objects) print_object(object, library);
   }
   constexpr std::size_t kShown = 5;

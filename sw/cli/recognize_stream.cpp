@@ -28,7 +28,7 @@ class StreamJob {
         front_end_(recognition.make_front_end()),
         options_(recognition.options()),
         limit_(arguments.limit),
-        keep_going_(arguments.keep_going),
+        skip_unreadable_(arguments.skip_unreadable),
         quiet_(quiet),
         progress_(frames_to_do(), "frames", quiet) {
     if (out.empty()) return;
@@ -56,7 +56,7 @@ class StreamJob {
     return there;
   }
 
-  /// The frame's objects; with keep_going a bad frame becomes a line that says what is wrong.
+  /// The frame's objects; with skip_unreadable a bad frame becomes a line that says what is wrong.
   Json line_of(int frame) {
     try {
       const Scene scene = streams_.frame();
@@ -68,7 +68,7 @@ class StreamJob {
               {"rejections", result.rejections.size()},
               {"stages", report["stages"]}};
     } catch (const Error& error) {
-      if (!keep_going_) throw;
+      if (!skip_unreadable_) throw;
       return {{"frame", frame}, {"error", error.what()}};
     }
   }
@@ -86,7 +86,7 @@ class StreamJob {
   FrontEnd front_end_;
   RecognitionOptions options_;
   int limit_;
-  bool keep_going_, quiet_, any_found_ = false;
+  bool skip_unreadable_, quiet_, any_found_ = false;
   Progress progress_;
   std::unique_ptr<LineFile> file_;
 };
@@ -104,7 +104,7 @@ void StreamArguments::add_to(CLI::App& command) {
       ->type_name("scene_camera.json");
   command.add_option("--limit", limit, "With --stream: stop after so many frames; 0: all")
       ->check(kNotNegative);
-  command.add_flag("--keep-going", keep_going,
+  command.add_flag("--skip-unreadable", skip_unreadable,
                    "With --stream: pass over frames that cannot be read");
 }
 

@@ -13,7 +13,7 @@ struct StreamArguments {
   std::vector<std::string> sources;  ///< one per view
   std::string cameras;               ///< scene_camera.json
   int limit = 0;                     ///< frames, 0: all
-  bool keep_going = false;
+  bool skip_unreadable = false;
 
   void add_to(CLI::App& command);
 };
@@ -21,7 +21,8 @@ struct StreamArguments {
 /// Recognises frame after frame and writes a line of JSON for each: to standard output unless
 /// `quiet`, and to OUT/results.jsonl unless `out` is empty. Memory does not grow with the number
 /// of frames. Ctrl-C ends it after the frame in work; the file then holds what was done.
-/// Returns the exit code. Throws Error on a bad frame (unless keep_going), after writing the file.
+/// Returns the exit code. Throws Error on a bad frame (unless skip_unreadable), after writing the
+/// file.
 int recognize_stream(const StreamArguments& arguments, const RecognitionArguments& recognition,
                      const std::string& out, bool quiet);
 

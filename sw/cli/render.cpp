@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/progress.hpp"
@@ -19,6 +20,7 @@ struct RenderArguments {
   std::string variant = "none";
   std::uint64_t seed = 1;
   int scenes = 1, first_id = 1;
+  bool json = false, quiet = false;
   std::vector<double> distortion;
   double jitter = -1;  // below 0: as the look has it
   double noise = -1, blur_px = -1, grain = -1, vignetting = -1;
@@ -52,7 +54,7 @@ void run(RenderArguments a) {
   const std::vector<Model> library =
       render::make_variants(read_library(a.models), render::variant_of(a.variant), variants);
   if (!a.write_models.empty()) render::write_library(a.write_models, library);
-  Progress progress(static_cast<std::size_t>(a.scenes), "scenes");
+  Progress progress(static_cast<std::size_t>(a.scenes), "scenes", a.quiet);
   for (int i = 0; i < a.scenes; ++i) {
     const std::filesystem::path folder = a.out / fmt::format("{:06}", a.first_id + i);
     const render::RenderedScene scene =
@@ -64,7 +66,10 @@ void run(RenderArguments a) {
     progress.step();
   }
   progress.clear();
-  fmt::print("{} scenes in {}\n", a.scenes, a.out.string());
+  if (a.json)
+    fmt::print("{}\n", nlohmann::json{{"scenes", a.scenes}, {"folder", a.out.string()}}.dump());
+  else if (!a.quiet)
+    fmt::print("{} scenes in {}\n", a.scenes, a.out.string());
 }
 
 void add_scene_options(CLI::App& command, RenderArguments& a) {
@@ -81,6 +86,8 @@ void add_scene_options(CLI::App& command, RenderArguments& a) {
                      "objects that are not in the library: none, scaled (10 % along one axis), "
                      "mirrored, both");
   command.add_option("--poses", a.pose_file, "scene_gt.json with the objects' poses");
+  command.add_flag("--json", a.json, "print the result as JSON");
+  command.add_flag("--quiet", a.quiet, "print nothing");
   command.add_option("--write-models", a.write_models, "folder for the models as rendered");
 }
 

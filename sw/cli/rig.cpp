@@ -17,7 +17,7 @@ struct Arguments {
   std::string cameras;
   double noise_px = 0.2, side_mm = 100;
   std::vector<double> centre;
-  bool json = false;
+  bool json = false, quiet = false;
 };
 
 /// A point of the working volume, and what the rig makes of it.
@@ -99,7 +99,7 @@ int run(const Arguments& arguments) {
   const std::vector<Place> all = places(cameras, centre, arguments);
   if (arguments.json)
     print_json(cameras, all);
-  else
+  else if (!arguments.quiet)
     print(cameras, all, arguments.noise_px);
   return all.front().accuracy.views < 2 ? kNothingFound : kDone;
 }
@@ -128,6 +128,7 @@ void add_rig(CLI::App& program, int& exit_code) {
       ->check(kPositive)
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print the figures as JSON");
+  command->add_flag("--quiet", arguments->quiet, "Print nothing; the exit code tells");
   command->footer(
       "Example:\n"
       "  trihedron rig testvectors/scenes/studio-two/000034/scene_camera.json --noise 0.2\n"

@@ -8,8 +8,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/frame_inputs.hpp"
+#include "cli/shards.hpp"
+#include "cli/terminal.hpp"
 #include "cli/verify_report.hpp"
-#include "cli/workers.hpp"
 #include "golden/error.hpp"
 #include "sim/functional_coverage.hpp"
 #include "sim/regression.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
   std::string junit, trace, coverage, code_coverage;
   std::uint64_t trace_clocks = kTraceClocks;
   std::vector<std::string> pictures;
+  ShardArguments shard;
   bool spoil = false;
 };
 
@@ -100,7 +102,8 @@ int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments,
   std::uint64_t clocks = 0;
   for (const CaseOutcome& outcome : outcomes) {
     if (!outcome.failure.empty()) {
-      fmt::print("FAILED: {}\nrepeat: {}\n", outcome.failure, repeat_command(outcome, arguments));
+      fmt::print("{} {}\nrepeat: {}\n", toned(stdout, Tone::kBad, "FAILED:"), outcome.failure,
+                 repeat_command(outcome, arguments));
       if (!arguments.trace.empty()) fmt::print("waveform: {}\n", arguments.trace);
       return kNothingFound;
     }
@@ -123,8 +126,8 @@ int run(const Arguments& arguments) {
   const std::vector<sim::GreyImage> pictures = read_pictures(arguments.pictures);
   const auto start = std::chrono::steady_clock::now();
   bool failed = false;
-  const std::vector<std::string> texts =
-      run_workers(seeds.size(), arguments.jobs, "cases", [&](std::size_t item) {
+  const std::optional<std::vector<std::string>> texts =
+      run_sharded(seeds.size(), arguments.jobs, "cases", arguments.shard, [&](std::size_t item) {
         CaseOutcome outcome;
         outcome.seed = seeds[item];
         outcome.skipped = failed;
@@ -133,8 +136,9 @@ int run(const Arguments& arguments) {
         return outcome.to_text();
       });
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  if (!texts) return kDone;
   std::vector<CaseOutcome> outcomes;
-  for (const std::string& text : texts) outcomes.push_back(CaseOutcome::from_text(text));
+  for (const std::string& text : *texts) outcomes.push_back(CaseOutcome::from_text(text));
   if (!arguments.junit.empty()) write_junit(arguments.junit, outcomes);
   if (!arguments.coverage.empty()) write_coverage(arguments.coverage, outcomes);
   return report(outcomes, arguments, time.count());
@@ -166,6 +170,7 @@ void add_verify(CLI::App& program, int& exit_code) {
       ->add_option("--code-coverage", arguments->code_coverage,
                    "Write Verilator's coverage data; needs the preset rtl-coverage")
       ->type_name("DIR");
+  arguments->shard.add_to(*command);
   command->add_flag("--spoil", arguments->spoil,
                     "Expect contours of NOISE_FLOOR 511 only: shows what a failure looks like");
   command->footer("Example:\n  trihedron verify --frames 1000 --seed 7 --jobs 2");

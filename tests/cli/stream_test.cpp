@@ -105,7 +105,7 @@ TEST_CASE("a stream that goes wrong is named on one line, with the frames before
   SECTION("a frame that cannot be read") {
     scratch.write("1/f1.png", "no image, but long enough for one");
     CHECK_THAT(message("", 1), Contains("1/f1.png: not a readable image"));
-    const Run run = run_program(stream_command(scratch, "--keep-going"));
+    const Run run = run_program(stream_command(scratch, "--skip-unreadable"));
     CHECK(run.exit_code == 0);
     CHECK_THAT(lines_of(run.out).at(1).at("error").get<std::string>(), Contains("1/f1.png"));
   }
