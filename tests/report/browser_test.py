@@ -116,6 +116,19 @@ class ReportTest(PageTest):
             seen.add(layers[0])
         self.assertEqual(len(seen), len(STEPS), "two steps look the same")
 
+    def test_seen_surfaces_are_listed_with_their_place_in_the_world(self):
+        self.open(self.pages.scene)
+        rows = self.js("""return [...document.querySelectorAll('.seen tbody tr')].map(
+            (row) => [...row.cells].map((cell) => cell.textContent))""")
+        self.assertGreater(len(rows), 5)
+        for name, surface, views, area, normal, centre in rows:
+            self.assertTrue(set(views.split(", ")) <= {"top", "side", "front"}, name)
+            self.assertGreater(float(area), 0)
+            self.assertAlmostEqual(sum(float(v) ** 2 for v in normal.split()), 1, delta=0.01)
+            if views == "top":  # it looks down: a wall at the most, leaning by the lens's angle
+                self.assertGreaterEqual(float(normal.split()[2]), -0.2)
+            self.assertGreater(float(centre.split()[2]), -1)  # mm: nothing lies below the table
+
     def test_layers_can_be_mixed(self):
         self.open(self.pages.scene)
         self.js("document.querySelector('#mixer input[name=gradient]').click()")

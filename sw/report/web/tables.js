@@ -63,7 +63,7 @@ function objectRow(scene, object, index) {
 
 function buildObjects(scene) {
   const number = (head, title) => ({head, number: true, title});
-  const columns = [{head: 'Object'}, number('Score', 'Share of the visible edges that was found'),
+  const columns = [{head: 'Object'}, number('Score', 'From 0 to 1'),
     number('x mm', 'Position in the world frame'), number('y mm'), number('z mm'),
     number('rx \u00b0', 'Rotation vector'), number('ry \u00b0'), number('rz \u00b0'),
     number('\u03c3 mm', 'Standard deviation of the position in its worst direction'),
@@ -73,8 +73,9 @@ function buildObjects(scene) {
     {head: 'Next best', title: 'The model that fits here second best'}];
   const caption = scene.objects.length
     ? 'Position and rotation of each model in the world frame, whose z = 0 is the table top, with ' +
-      'the standard deviations that its measured edges leave. The score is the share of its ' +
-      'visible edges that the views confirm.'
+      'the standard deviations that its measured edges leave. The score ' +
+      (scene.method === 'full' ? 'is the share of its visible edges that the views confirm.'
+        : 'grows with the number of surfaces that were found.')
     : 'No model of the library explains what the views show, so nothing is reported.';
   section('objects', 'Objects', caption, ...(scene.objects.length
     ? [table(columns, scene.objects.map((object, i) => objectRow(scene, object, i))),
@@ -123,31 +124,76 @@ function buildRejections(scene) {
     '"Show" draws one into the views above as a dashed line.', box, ...(all > kFirst ? [more] : []));
 }
 
-function buildSurfaces(scene) {
+/// Per surface of a placed model: area, unit normal outwards and centre, from its triangles.
+function faces(model) {
+  const point = (t, k) => model.vertices.slice(3 * model.triangles[3 * t + k],
+    3 * model.triangles[3 * t + k] + 3);
+  const list = [];
+  model.surfaces.forEach((surface, t) => {
+    const [a, b, c] = [0, 1, 2].map((k) => point(t, k));
+    const [u, v] = [b, c].map((p) => p.map((x, i) => x - a[i]));
+    const normal = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+      u[0] * v[1] - u[1] * v[0]].map((x) => x / 2);
+    const area = Math.hypot(...normal);
+    const face = list[surface] = list[surface] || {area: 0, normal: [0, 0, 0], centre: [0, 0, 0]};
+    face.area += area;
+    for (let i = 0; i < 3; ++i) {
+      face.normal[i] += normal[i];
+      face.centre[i] += area * (a[i] + b[i] + c[i]) / 3;
+    }
+  });
+  return list.map(({area, normal, centre}) => ({area, normal: normal.map((x) => x / area),
+    centre: centre.map((x) => x / area)}));
+}
+
+const triple = (x, digits) => x.map((v) => fixed(v, digits)).join('  ');
+
+/// The surfaces of the recognised objects that a view shows.
+function seenTable(scene) {
   const number = (head) => ({head, number: true});
-  if (!scene.surfaces.length) {
-    byId('surfaces').replaceChildren();
-    return;
-  }
+  const rows = scene.objects.flatMap((object, o) => faces(scene.space.models[o]).flatMap(
+    (face, s) => {
+      const views = [...new Set(object.surfaces.filter((m) => m.model_surface === s)
+        .map((m) => scene.views[m.view].name))];
+      return views.length ? [[element('span', {class: 'named'}, swatch(o), ` ${object.name}`),
+        String(s), views.join(', '), fixed(face.area, 1), triple(face.normal, 3),
+        triple(face.centre, 1)]] : [];
+    }));
+  return table([{head: 'Object'}, number('Surface'), {head: 'Seen from'}, number('Area mm\u00b2'),
+    number('Normal'), number('Centre mm')], rows, {class: 'seen'});
+}
+
+/// Surfaces that were put together before any model was tried.
+function crossedTable(scene) {
+  const number = (head) => ({head, number: true});
   const rows = scene.surfaces.map((surface, i) => [String(i), scene.views[surface.view].name,
     String(surface.vertices_mm.length), surface.complete ? 'yes' : 'no',
     fixed(surface.area_mm2, 1), fixed(surface.perimeter_mm, 1),
-    surface.normal.map((v) => fixed(v, 3)).join(' '),
-    surface.centroid_mm.map((v) => fixed(v, 1)).join(' '),
+    triple(surface.normal, 3), triple(surface.centroid_mm, 1),
     scene.objects.flatMap((object, o) => object.surfaces.filter((m) => m.scene_surface === i)
       .map((m) => `${object.name}, surface ${m.model_surface}`)).join('; ') || '-']);
-  section('surfaces', `Surfaces (${scene.surfaces.length})`,
-    'Faces put together from regions of one view and the corners that other views agree on, before ' +
-    'any model was tried.', table([number('No.'), {head: 'From view'}, number('Corners'),
-      {head: 'Every corner found'}, number('Area mm\u00b2'), number('Perimeter mm'),
-      {head: 'Normal'}, {head: 'Centre mm'}, {head: 'Taken for'}], rows));
+  return table([number('No.'), {head: 'From view'}, number('Corners'), {head: 'Every corner found'},
+    number('Area mm\u00b2'), number('Perimeter mm'), number('Normal'), number('Centre mm'),
+    {head: 'Taken for'}], rows);
+}
+
+function buildSurfaces(scene) {
+  const parts = [];
+  if (scene.objects.length) parts.push(element('p', {class: 'caption'},
+    'Faces of the recognised objects, where they lie in the world, and the views that show them.'),
+  seenTable(scene));
+  if (scene.surfaces.length) parts.push(element('h3', {}, 'Reconstructed'), element('p',
+    {class: 'caption'}, 'Faces put together from regions of one view and the corners that other ' +
+    'views agree on, before any model was tried.'), crossedTable(scene));
+  if (!parts.length) byId('surfaces').replaceChildren();
+  else byId('surfaces').replaceChildren(element('h2', {id: 'surfaces-head'}, 'Surfaces'), ...parts);
 }
 
 /// One sentence for each stage of either method, by its name in the statistics.
 const kStageNotes = {
   segments: 'straight lines fitted to the contours of all views',
   crossing: 'edges in space on which two or three views agree',
-  hypotheses: 'placements of models that explain some of these edges',
+  hypotheses: 'models at places where they explain part of what was seen',
   poses: 'objects left after refinement and verification',
   regions: 'areas closed off by contours, all views',
   surfaces: 'faces put together in space',
