@@ -9,17 +9,17 @@
 // after frame_height_i lines (if not 0), or after flush_timeout_i idle clocks (if it is 0).
 //
 //   s_axis_*         video: tuser start of frame, tlast end of line
-//   enable_i         0: frames are dropped; sampled at start_o
-//   frame_height_i   lines per frame, px; 0: not known; sampled at start_o unless hold_i
-//   start_o          a start of frame is taken: the clock in which a frame's settings are sampled
+//   enable_i         0: frames are dropped; sampled at a start of frame
+//   frame_height_i   lines per frame, px; 0: not known; sampled at a start of frame unless hold_i
 //   flush_timeout_i  idle clocks after a whole line that end a frame of unknown height
 //   write_*_o        pixel ring; read_i is its reader's position (one bit more than an address)
 //   line_*           announcements: line_whole_o a line (line_first_o of a frame), line_last_o
 //                    the frame ends here, line_fault_o how: 0 clean, 1 bad line, 2 bad height,
 //                    3 smaller than 5 rows
 //   last_col_o       width - 1 of the frames announced from now on
-//   switch_o         a frame of other width or settings waits for drained_i (nothing in flight);
-//                    load_o: it is let in now, its settings come into force
+//   switch_o         waits for drained_i (nothing in flight): a start of frame when
+//                    settings_changed_i, the last pixel of a first line when the width is new
+//   load_settings_o  a start of frame is let in now: the settings come into force
 //   idle_o           nothing arrived for 16 clocks
 //   event_o          one clock per event: see the bits below
 //
@@ -40,7 +40,6 @@ module frame_guard #(
     input  logic                          hold_i,
     input  logic [                  11:0] frame_height_i,
     input  logic [                  19:0] flush_timeout_i,
-    output logic                          start_o,
     output logic                          write_valid_o,
     output logic [          RingBits-1:0] write_address_o,
     output logic [                   7:0] write_data_o,
@@ -55,7 +54,7 @@ module frame_guard #(
     input  logic                          settings_changed_i,
     output logic                          switch_o,
     input  logic                          drained_i,
-    output logic                          load_o,
+    output logic                          load_settings_o,
     output logic                          idle_o,
     output logic [                   7:0] event_o
 );
@@ -95,23 +94,27 @@ module frame_guard #(
   logic [19:0] idle_clocks_q;
   logic idle_timeout_q;
 
-  logic take, row_end, whole, too_long, switch_needed, few_rows, too_small, commit, timeout, end_now;
+  logic take, row_end, whole, too_long, few_rows, too_small, commit, timeout, end_now;
+  logic switch_needed, load, start_now;
   assign row_end = active_q && !sof;
   assign whole = row_end && eol && (begun_q ? col_is_width_q && !rows_is_max_q
                                             : col_q > ColBits'(3));
   assign too_long = row_end && !eol && (begun_q ? col_is_width_q : col_is_max_q);
-  assign switch_needed = whole && !begun_q && !switched_q &&
-                         (!col_is_width_q || settings_changed_i);
+  assign switch_needed = !switched_q && (sof ? settings_changed_i
+                                             : whole && !begun_q && !col_is_width_q);
   assign few_rows = rows_q[11:3] == '0 && (rows_q[2:0] < 3'd5);
   assign too_small = few_rows && !(commit && rows_q[2:0] == 3'd4);
   assign in_ready = line_ready_i && !ring_full_q && !switch_needed;
   assign take = in_valid && in_ready;
   assign commit = take && whole;
+  // A start of frame ends the frame before, also while it waits itself.
+  assign start_now = in_valid && sof && line_ready_i && !ring_full_q;
   assign timeout = idle_timeout_q && !in_valid && line_ready_i && active_q && begun_q &&
                    col_q == '0 && height_q == '0;
   // The frame that has begun ends with this beat (or, by timeout, without one).
-  assign end_now = timeout || (take && active_q && begun_q &&
-                               (sof || too_long || (eol && (!whole || rows_is_height_m1_q))));
+  assign end_now = timeout ||
+                   (active_q && begun_q &&
+                    (start_now || (take && (too_long || (eol && (!whole || rows_is_height_m1_q))))));
 
   assign line_valid_o = commit || end_now;
   assign line_whole_o = commit;
@@ -120,18 +123,18 @@ module frame_guard #(
   always_comb begin
     if (take && !whole && (too_long || (eol && !sof))) begin
       line_fault_o = rows_is_max_q ? BadHeight : BadLine;
-    end else if (take && sof && col_q != '0) begin
+    end else if (start_now && col_q != '0) begin
       line_fault_o = BadLine;
-    end else if (take && sof && height_q != '0) begin
+    end else if (start_now && height_q != '0) begin
       line_fault_o = BadHeight;
     end else begin
       line_fault_o = too_small ? TooSmall : Clean;
     end
   end
 
-  assign start_o = take && sof;
   assign switch_o = in_valid && switch_needed;
-  assign load_o = switch_o && drained_i && !ring_full_q;
+  assign load = switch_o && drained_i && !ring_full_q;
+  assign load_settings_o = load && sof;
   assign last_col_o = last_col_q;
   assign write_valid_o = in_valid;
   assign write_address_o = sof ? commit_q[RingBits-1:0] : write_q[RingBits-1:0];
@@ -148,7 +151,7 @@ module frame_guard #(
     rows_is_height_m1_q <= height_q != '0 && rows_q == height_q - 12'd1;
     rows_is_max_q       <= rows_q == 12'(MaxHeightPx);
     idle_timeout_q      <= idle_clocks_q >= flush_timeout_i;
-    if (load_o) last_col_q <= col_q;
+    if (load && !sof) last_col_q <= col_q;
 
     if (!rst_ni) begin
       {active_q, begun_q, quiet_q, switched_q, ring_full_q} <= '0;
@@ -156,10 +159,10 @@ module frame_guard #(
       last_col_q <= '0;
       height_q <= frame_height_i;
     end else begin
-      if (start_o && !hold_i) height_q <= frame_height_i;
+      if (take && sof && !hold_i) height_q <= frame_height_i;
       idle_clocks_q <= in_valid ? '0 : idle_clocks_q + 20'(!(&idle_clocks_q));
       ring_full_q <= (RingBits + 1)'(write_q - read_i) >= (RingBits + 1)'((1 << RingBits) - 3);
-      switched_q <= load_o || (switched_q && !take);
+      switched_q <= load || (switched_q && !take);
       if (take && sof) begin
         write_q  <= commit_q + (RingBits + 1)'(1);
         active_q <= enable_i && !eol;
@@ -178,7 +181,7 @@ module frame_guard #(
         active_q <= !(eol || too_long);
       end else if (take) begin
         quiet_q <= 1'b1;
-      end else if (timeout) begin
+      end else if (timeout || start_now) begin
         active_q <= 1'b0;
         quiet_q  <= 1'b0;
       end
@@ -194,7 +197,7 @@ module frame_guard #(
       event_o[TooNarrow]  <= take && eol && (sof ? enable_i : active_q && !begun_q && !whole);
       event_o[TooTall]    <= take && row_end && eol && begun_q && col_is_width_q && rows_is_max_q;
       event_o[NoStart]    <= take && !sof && !active_q && !quiet_q;
-      event_o[EarlyStart] <= take && sof && active_q && (col_q != '0 || height_q != '0);
+      event_o[EarlyStart] <= start_now && active_q && (col_q != '0 || height_q != '0);
       event_o[TooFewRows] <= line_valid_o && line_last_o && line_fault_o == TooSmall;
     end
   end

@@ -101,7 +101,8 @@ module row_slots #(
     end
     if (head_valid && head_ready && head_last) fault_q <= head_fault;
     if (!rst_ni) begin
-      {busy_q, ended_q, in_flight_q} <= '0;
+      {busy_q, in_flight_q} <= '0;
+      ended_q <= 1'b1;
       {read_q, frames_q} <= '0;
     end else begin
       busy_q <= start_line || start_void || (busy_q && !free);

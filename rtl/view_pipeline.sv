@@ -60,9 +60,9 @@ module view_pipeline #(
   localparam int MagnitudeBits = FractionBits + 6;
   localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + MagnitudeBits + 5;
 
-  // Settings of the frame that enters and of the frames in flight.
-  logic [SettingsBits-1:0] settings, settings_next_q, settings_q;
-  logic settings_changed_q, start, load;
+  // Settings of the frames in flight.
+  logic [SettingsBits-1:0] settings, settings_q;
+  logic settings_changed_q, load_settings;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor, branch_floor;
   logic [4:0] mean_limit, min_turn;
@@ -71,10 +71,8 @@ module view_pipeline #(
                      branch_floor_i, min_turn_i};
   assign {limit, noise_floor, mean_limit, support, branch_floor, min_turn} = settings_q;
   always_ff @(posedge clk_i) begin
-    settings_changed_q <= settings_next_q != settings_q;
-    if (!rst_ni || (start && !hold_i)) settings_next_q <= settings;
-    if (!rst_ni) settings_q <= settings;
-    else if (load) settings_q <= settings_next_q;
+    settings_changed_q <= !hold_i && settings != settings_q;
+    if (!rst_ni || (load_settings && !hold_i)) settings_q <= settings;
   end
 
   logic write_valid, line_valid, line_ready, line_whole, line_first, line_last;
@@ -100,7 +98,6 @@ module view_pipeline #(
       .hold_i,
       .frame_height_i,
       .flush_timeout_i,
-      .start_o(start),
       .write_valid_o(write_valid),
       .write_address_o(write_address),
       .write_data_o(write_data),
@@ -115,7 +112,7 @@ module view_pipeline #(
       .settings_changed_i(settings_changed_q),
       .switch_o(switch_wanted),
       .drained_i(drained),
-      .load_o(load),
+      .load_settings_o(load_settings),
       .idle_o(idle),
       .event_o
   );

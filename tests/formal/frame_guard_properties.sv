@@ -40,11 +40,10 @@ module frame_guard_properties #(
   end
 
   // The frame's height: what FRAME_HEIGHT holds when its first pixel is taken.
-  logic tready, start;
+  logic tready;
   logic [2:0] height_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || (tvalid && tready && tuser && !hold)) height_q <= frame_height;
-    if (started_q && rst_ni) assert (start == (tvalid && tready && tuser));
   end
 
   // Marks: column and row in the frame (7: far out), last column, parity of the frame.
@@ -71,9 +70,9 @@ module frame_guard_properties #(
   logic [2:0] pause_q;
   always_ff @(posedge clk_i) begin
     pause_q <= rst_ni && !tvalid ? pause_q + 3'd1 : '0;
+    if (Good) assume (frame_height == 3'd0 || frame_height == 3'd5 || frame_height == 3'd6);
     if (Good && rst_ni) begin
       assume (width == 3'd5 || width == 3'd6);
-      assume (frame_height == 3'd0 || frame_height == 3'd5 || frame_height == 3'd6);
       assume (enable && flush_timeout == 20'd16 && pause_q != 3'd7);
       if (tvalid) begin
         assume (tlast == (col == width - 3'd1));
@@ -90,7 +89,7 @@ module frame_guard_properties #(
 
   // Lines announced and not yet read: from read_q to base_q.
   logic write_valid, line_valid, line_whole, line_first, line_last;
-  logic switch_wanted, load, idle;
+  logic switch_wanted, load_settings, idle;
   logic [RingBits-1:0] write_address, offset;
   logic [RingBits:0] base_q, read_q, waiting;
   logic [7:0] write_data, events;
@@ -114,7 +113,6 @@ module frame_guard_properties #(
       .enable_i(enable),
       .hold_i(hold),
       .frame_height_i({9'd0, frame_height}),
-      .start_o(start),
       .flush_timeout_i(flush_timeout),
       .write_valid_o(write_valid),
       .write_address_o(write_address),
@@ -130,7 +128,7 @@ module frame_guard_properties #(
       .settings_changed_i(settings_changed),
       .switch_o(switch_wanted),
       .drained_i(drained),
-      .load_o(load),
+      .load_settings_o(load_settings),
       .idle_o(idle),
       .event_o(events)
   );
@@ -139,11 +137,16 @@ module frame_guard_properties #(
   logic [7:0] watched_q, watched;
   assign watched = write_valid && offset == 5'(watched_col) ? write_data : watched_q;
 
-  logic open_q, frame_parity_q;
+  logic open_q, frame_parity_q, was_reset_q, drained_q;
+  logic [2:0] last_col_q;
   logic [2:0] rows_q, stall_q, frame_last_col_q, rows;
   assign rows = (line_first ? 3'd0 : rows_q) + 3'(line_whole);
   always_ff @(posedge clk_i) begin
     assume (watched_col <= 3'd5);
+    assume (!drained || !open_q);  // row_slots: an open frame is in flight
+    was_reset_q <= !rst_ni;
+    drained_q <= drained;
+    last_col_q <= last_col;
     watched_q <= watched;
     if (!rst_ni) begin
       {base_q, read_q, stall_q} <= '0;
@@ -164,7 +167,10 @@ module frame_guard_properties #(
     if (started_q && rst_ni) begin
       // Ring: what waits is not overwritten.
       if (Shape) assert (!write_valid || waiting + 6'(offset) < 6'd32);
-      if (Shape) assert (stall_q < 3'd4);
+      if (Shape) assert (stall_q < 3'd6);
+      // Width and settings change only when nothing is in flight, settings before a first pixel.
+      if (Shape && !was_reset_q) assert (last_col == last_col_q || drained_q);
+      if (Shape) assert (!load_settings || (drained && settings_changed && !open_q && tuser && tvalid));
       if (Shape && line_valid) begin
         // Frames: begin with a first line, end once, all rows of one width.
         assert (line_ready);
@@ -219,9 +225,8 @@ module frame_guard_properties #(
   wire [11:0] guard_rows = \dut.rows_q ;
   wire [RingBits:0] fill = \dut.write_q - read_q;
 
-  logic was_reset_q, start_pending_q;
+  logic start_pending_q;
   always_ff @(posedge clk_i) begin
-    was_reset_q <= !rst_ni;
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
       assert (\dut.commit_q == base_q);
@@ -233,7 +238,7 @@ module frame_guard_properties #(
         assert (\dut.write_q - base_q == 6'(guard_col) && guard_col <= 3'd5);
         assert (next_col_q == guard_col && next_row_q == (begun ? guard_rows[2:0] : 3'd0));
         assert (\dut.col_is_max_q == (guard_col == 3'd5));
-        assert (\dut.switched_q ? guard_col == last_col && !begun && guard_col > 3'd3
+        assert (\dut.switched_q && !start_pending_q ? guard_col == last_col && !begun && guard_col > 3'd3
                                 : \dut.col_is_width_q == (guard_col != '0 && guard_col == last_col));
         assert (\dut.height_q == 12'(height_q));
         assert (start_pending_q || watched_col >= guard_col ||
@@ -254,7 +259,7 @@ module frame_guard_properties #(
         assert (20'(pause_q) >= \dut.idle_clocks_q && (was_reset_q || !\dut.idle_timeout_q ));
         assert (!open_q || last_col == width - 3'd1);
         assert (active || next_col_q == '0);
-        assert (active || next_row_q == 3'd7 || (height_q != '0 &&
+        assert (active || start_pending_q || next_row_q == 3'd7 || (height_q != '0 &&
                                                  next_row_q == height_q));
         assert (!active || begun || (next_col_q != '0 && next_col_q < width));
       end
