@@ -36,6 +36,9 @@ module contours #(
     output logic [                1:0] fault_o,
     output logic [                1:0] data_o
 );
+  if (FractionBits < 0 || FractionBits > 6) begin : gen_illegal
+    illegal_FractionBits_must_be_0_to_6 stop ();
+  end
   localparam int MagnitudeBits = FractionBits + 6;
 
   // Slot streams are named after the stage they leave.

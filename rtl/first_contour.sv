@@ -36,6 +36,9 @@ module first_contour #(
     output logic [              1:0] fault_o,
     output logic [3*MagnitudeBits+1:0] data_o
 );
+  if (MagnitudeBits < 6 || MagnitudeBits > 12) begin : gen_illegal
+    illegal_MagnitudeBits_must_be_6_to_12 stop ();
+  end
   localparam int M = MagnitudeBits;
   localparam int Latency = 7;
 

@@ -35,6 +35,9 @@ module ridge #(
     output logic [              1:0] fault_o,
     output logic [              2:0] data_o
 );
+  if (MagnitudeBits < 6 || MagnitudeBits > 12) begin : gen_illegal
+    illegal_MagnitudeBits_must_be_6_to_12 stop ();
+  end
   localparam int M = MagnitudeBits;
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int Latency = 4;

@@ -55,6 +55,10 @@ module view_pipeline #(
     output logic [            63:0] m_axis_vertex_tdata,
     output logic                    m_axis_vertex_tlast
 );
+  if (View < 0 || View > 15 || MaxWidthPx < 5 || MaxWidthPx > 4080 || MaxHeightPx < 5 ||
+      MaxHeightPx > 4095 || FractionBits < 0 || FractionBits > 6) begin : gen_illegal
+    illegal_View_0_to_15_MaxWidthPx_5_to_4080_MaxHeightPx_5_to_4095_FractionBits_0_to_6 stop ();
+  end
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam int RingBits = $clog2(MaxWidthPx + 16);
   localparam int MagnitudeBits = FractionBits + 6;
