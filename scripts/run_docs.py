@@ -18,7 +18,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-COMMAND = re.compile(r"(trihedron|images=|scene=|scripts/|build/|cmake|ctest|gtkwave|export|mkdir|cp|cat) ?\S*")
+COMMAND = re.compile(
+    r"(trihedron|images=|scene=|scripts/|build/|cmake|ctest|gtkwave|export|mkdir|cp|cat|SBATCH_OPTIONS=|source) ?\S*")
 TIMEOUT_S = 600  # far above what any of them takes
 
 
