@@ -118,9 +118,11 @@ def page(title, blocks):
            "next. (Exactly: the values in the clock in which the pixel leaves the input register, one clock after it is "
            "accepted, or",
            "later while the pipeline makes the input wait.) To change several together: set `CONTROL.hold`, write them, "
-           "clear it. The first",
-           "frame with new thresholds waits at the end of its first line until the frame before has left the pipeline "
+           "clear it. A frame",
+           "with other thresholds than the one before waits with its first pixel until the pipeline is empty "
            "([integration.md](integration.md)).", "",
+           "A value outside its legal range does no harm: frames come out, or are dropped and flagged, and nothing "
+           "hangs.", "",
            "Counters and `STATUS` are read in one clock each, never torn; two registers read one after the other may "
            "belong to",
            "different frames: read `FRAMES` before and after, and again if it changed.", ""]
