@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the register map's three faces from rtl/registers.json: the RTL package, the C++ header and
-the docs page. With --check it writes nothing and fails when one of them is out of date."""
+"""Writes the register map's four faces from rtl/registers.json: the RTL package, the C++ header, the C
+header of the example driver and the docs page. With --check it writes nothing and fails when one of them is out of date."""
 
 import argparse
 import json
@@ -106,6 +106,21 @@ def header(blocks):
     return "\n".join(out) + "\n"
 
 
+def c_header(blocks):
+    out = ["/* SPDX-License-Identifier: Apache-2.0 */", f"/* {NOTE} */",
+           "#ifndef TRIHEDRON_REGISTERS_H", "#define TRIHEDRON_REGISTERS_H", "",
+           "/* Byte addresses of registers; masks and lowest bits of their fields. */"]
+    for block in blocks:
+        if block.get("per_view"):
+            out += ["", f"#define TRIHEDRON_VIEW(address, view) ((address) + 0x{4 * block['words']:02x} * (view))"]
+        for r in block["registers"]:
+            out += ["", f"#define TRIHEDRON_{r['name']} 0x{address(block, r):03x}"]
+            for f in r["fields"]:
+                name = f"TRIHEDRON_{r['name']}_{f['name'].upper()}"
+                out += [f"#define {name}_MASK 0x{mask(f):08x}u", f"#define {name}_LSB {f['lsb']}"]
+    return "\n".join(out + ["", "#endif"]) + "\n"
+
+
 def page(title, blocks):
     access = {"ro": "read only", "rw": "read, write", "w1c": "sticky, write 1 to clear"}
     out = [f"# {title}", "", f"<!-- {NOTE} -->", "",
@@ -153,6 +168,7 @@ def main():
     blocks = source["blocks"]
     faces = {"rtl/trihedron_registers.sv": package(blocks),
              "sw/golden/registers.hpp": header(blocks),
+             "examples/driver/trihedron_registers.h": c_header(blocks),
              "docs/registers.md": page(source["title"], blocks)}
     stale = []
     for name, text in faces.items():
