@@ -87,6 +87,7 @@ module frame_guard #(
   logic active_q, begun_q, quiet_q;
   logic [ColBits-1:0] col_q, last_col_q, last_col_m1_q;
   logic col_is_width_q, col_is_max_q;  // col_q + 1 is the frame's width, MaxWidthPx
+  logic wide_enough_q;                 // col_q + 1 >= 5
   logic [11:0] rows_q, height_q;
   logic rows_is_height_m1_q, rows_is_max_q;
   logic [RingBits:0] write_q, commit_q;
@@ -98,7 +99,7 @@ module frame_guard #(
   logic switch_needed, load, start_now;
   assign row_end = active_q && !sof;
   assign whole = row_end && eol && (begun_q ? col_is_width_q && !rows_is_max_q
-                                            : col_q > ColBits'(3));
+                                            : wide_enough_q);
   assign too_long = row_end && !eol && (begun_q ? col_is_width_q : col_is_max_q);
   assign switch_needed = !switched_q && (sof ? settings_changed_i
                                              : whole && !begun_q && !col_is_width_q);
@@ -144,6 +145,7 @@ module frame_guard #(
   always_ff @(posedge clk_i) begin
     if (take && (sof || row_end)) begin
       col_is_width_q <= !sof && !eol && col_q == last_col_m1_q;
+      wide_enough_q  <= !sof && !eol && (|col_q[ColBits-1:2] || (&col_q[1:0]));
       col_is_max_q   <= !sof && !eol && col_q == ColBits'(MaxWidthPx - 2);
       col_q          <= sof ? ColBits'(1) : col_q + ColBits'(1);
     end
