@@ -51,7 +51,7 @@ file(WRITE ${debian}/copyright
 Upstream-Name: trihedron
 
 Files: *
-Copyright: Trihedron contributors
+Copyright: 2026 Trihedron contributors
 License: Apache-2.0
  On Debian systems the full text is in /usr/share/common-licenses/Apache-2.0.
 ")

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -29,7 +30,7 @@ struct Arguments {
   std::uint64_t trace_clocks = kTraceClocks;
   std::vector<std::string> pictures;
   ShardArguments shard;
-  bool spoil = false;
+  bool spoil = false, json = false, quiet = false;
 };
 
 std::string verdict(const sim::Report& report) {
@@ -97,28 +98,60 @@ std::string repeat_command(const CaseOutcome& outcome, const Arguments& argument
   return command + (arguments.spoil ? " --spoil" : "") + " --trace difference.fst";
 }
 
-int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments, double seconds) {
-  sim::Compared total;
+/// Everything that was compared, and the clocks it took.
+struct Sum {
+  sim::Compared compared;
   std::uint64_t clocks = 0;
+  const CaseOutcome* failed = nullptr;  ///< the first
+};
+
+Sum sum_of(const std::vector<CaseOutcome>& outcomes) {
+  Sum sum;
   for (const CaseOutcome& outcome : outcomes) {
-    if (!outcome.failure.empty()) {
-      fmt::print("{} {}\nrepeat: {}\n", toned(stdout, Tone::kBad, "FAILED:"), outcome.failure,
-                 repeat_command(outcome, arguments));
-      if (!arguments.trace.empty()) fmt::print("waveform: {}\n", arguments.trace);
-      return kNothingFound;
-    }
-    total.frames += outcome.compared.frames;
-    total.beats += outcome.compared.beats;
-    total.records += outcome.compared.records;
-    total.registers += outcome.compared.registers;
-    clocks += outcome.clocks;
+    if (!sum.failed && !outcome.failure.empty()) sum.failed = &outcome;
+    sum.compared.frames += outcome.compared.frames;
+    sum.compared.beats += outcome.compared.beats;
+    sum.compared.records += outcome.compared.records;
+    sum.compared.registers += outcome.compared.registers;
+    sum.clocks += outcome.clocks;
   }
-  fmt::print(
-      "equal to the golden model: {} frames, {} contour beats, {} vertex-stream records, "
-      "{} register values; seeds {} to {}, {} clocks, {:.1f} s\n",
-      total.frames, total.beats, total.records, total.registers, outcomes.front().seed,
-      outcomes.back().seed, clocks, seconds);
-  return kDone;
+  return sum;
+}
+
+void print_json(const Sum& sum, const std::vector<CaseOutcome>& outcomes,
+                const Arguments& arguments, double seconds) {
+  nlohmann::ordered_json out = {{"passed", sum.failed == nullptr},
+                                {"frames", sum.compared.frames},
+                                {"beats", sum.compared.beats},
+                                {"records", sum.compared.records},
+                                {"registers", sum.compared.registers},
+                                {"first_seed", outcomes.front().seed},
+                                {"last_seed", outcomes.back().seed},
+                                {"clocks", sum.clocks},
+                                {"seconds", seconds}};
+  if (sum.failed) {
+    out["failure"] = sum.failed->failure;
+    out["repeat"] = repeat_command(*sum.failed, arguments);
+  }
+  fmt::print("{}\n", out.dump(1));
+}
+
+int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments, double seconds) {
+  const Sum sum = sum_of(outcomes);
+  if (arguments.json) {
+    print_json(sum, outcomes, arguments, seconds);
+  } else if (sum.failed) {
+    fmt::print("{} {}\nrepeat: {}\n", toned(stdout, Tone::kBad, "FAILED:"), sum.failed->failure,
+               repeat_command(*sum.failed, arguments));
+    if (!arguments.trace.empty()) fmt::print("waveform: {}\n", arguments.trace);
+  } else if (!arguments.quiet) {
+    fmt::print(
+        "equal to the golden model: {} frames, {} contour beats, {} vertex-stream records, "
+        "{} register values; seeds {} to {}, {} clocks, {:.1f} s\n",
+        sum.compared.frames, sum.compared.beats, sum.compared.records, sum.compared.registers,
+        outcomes.front().seed, outcomes.back().seed, sum.clocks, seconds);
+  }
+  return sum.failed ? kNothingFound : kDone;
 }
 
 int run(const Arguments& arguments) {
@@ -170,6 +203,8 @@ void add_verify(CLI::App& program, int& exit_code) {
       ->add_option("--code-coverage", arguments->code_coverage,
                    "Write Verilator's coverage data; needs the preset rtl-coverage")
       ->type_name("DIR");
+  command->add_flag("--json", arguments->json, "Print the verdict as JSON");
+  command->add_flag("--quiet", arguments->quiet, "Print differences only");
   arguments->shard.add_to(*command);
   command->add_flag("--spoil", arguments->spoil,
                     "Expect contours of NOISE_FLOOR 511 only: shows what a failure looks like");

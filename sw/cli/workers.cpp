@@ -2,11 +2,13 @@
 #include "cli/workers.hpp"
 
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -68,6 +70,7 @@ Worker start_worker(std::size_t first, std::size_t count, int jobs,
     return {process, ends[0], {}};
   }
   close(ends[0]);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody would read what it does any more
   for (std::size_t item = first; item < count; item += static_cast<std::size_t>(jobs)) {
     const Answer answer = answer_of(item, work);
     const Header header{item, answer.text.size(), answer.failed ? 1u : 0u};

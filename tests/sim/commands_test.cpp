@@ -64,7 +64,8 @@ TEST_CASE("simulate passes over unreadable frames only if asked to") {
   const Scratch scratch;
   scratch.write("mixed/a.png", "no picture");
   scratch.write("mixed/b.pgm", "P2 5 5 255\n0 0 0 0 0 0 0 0 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0\n");
-  const Run run = run_program("simulate " + (scratch / "mixed").string() + " --skip-unreadable --quiet");
+  const Run run =
+      run_program("simulate " + (scratch / "mixed").string() + " --skip-unreadable --quiet");
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.err, Contains("a.png") && Contains("passed over"));
   CHECK_THAT(run.out, Contains("1 frames"));
@@ -115,4 +116,16 @@ TEST_CASE("verify writes its functional coverage, hit bins and missed ones") {
   CHECK(coverage.at("groups").at("contour flags").at("none") > 0);
   CHECK(coverage.at("groups").at("fault x contour stalls").size() == 50);
   CHECK(run_program("verify --frames 5 --code-coverage /tmp").exit_code == 2);
+}
+
+TEST_CASE("verify --json and --quiet say the same to machines and scripts") {
+  const Run good = run_program("verify --frames 3 --json");
+  CHECK(good.exit_code == 0);
+  const auto verdict = nlohmann::json::parse(good.out);
+  CHECK(verdict.at("passed") == true);
+  CHECK(verdict.at("beats") > 0);
+  const Run bad = run_program("verify --frames 3 --json --spoil");
+  CHECK(bad.exit_code == 1);
+  CHECK_THAT(nlohmann::json::parse(bad.out).at("failure").get<std::string>(), Contains("seed"));
+  CHECK(run_program("verify --frames 3 --quiet").out.empty());
 }
