@@ -113,42 +113,46 @@ int run(const Arguments& arguments) {
   return kDone;
 }
 
+void add_options(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option("CAMERA", arguments.sources,
+                  "Per camera a folder of images, or a quoted pattern such as 'left*.jpg'; images "
+                  "of one name (one * part) were taken together")
+      ->required();
+  command
+      .add_option("--board", arguments.board, "Inner corners of the chessboard, one number even")
+      ->type_name("9x6")
+      ->required();
+  command.add_option("--square", arguments.square_mm, "Side of a square, mm")
+      ->type_name("MM")
+      ->required()
+      ->check(kPositive);
+  command.add_option("--out", arguments.out, "Write the cameras, in the order given")
+      ->type_name("scene_camera.json");
+  command
+      .add_option("--table", arguments.options.table_shot,
+                  "Shot with the board flat on the table: the world's z = 0 (otherwise the world "
+                  "is the first camera's frame)")
+      ->type_name("SHOT");
+  command
+      .add_option("--thickness", arguments.options.board_thickness_mm,
+                  "With --table: how far the table lies below the printed face, mm")
+      ->type_name("MM")
+      ->check(kNotNegative);
+  command
+      .add_option("--lens-terms", arguments.options.lens_terms,
+                  "How many of k1 k2 p1 p2 k3 are estimated: 0, 1, 2, 4 or 5 (wide lenses)")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_calibrate(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "calibrate", "Cameras of a rig from pictures of a chessboard, to scene_camera.json");
-  command
-      ->add_option("CAMERA", arguments->sources,
-                   "Per camera a folder of images, or a quoted pattern such as 'left*.jpg'; images "
-                   "of one name (one * part) were taken together")
-      ->required();
-  command
-      ->add_option("--board", arguments->board, "Inner corners of the chessboard, one number even")
-      ->type_name("9x6")
-      ->required();
-  command->add_option("--square", arguments->square_mm, "Side of a square, mm")
-      ->type_name("MM")
-      ->required()
-      ->check(kPositive);
-  command->add_option("--out", arguments->out, "Write the cameras, in the order given")
-      ->type_name("scene_camera.json");
-  command
-      ->add_option("--table", arguments->options.table_shot,
-                   "Shot with the board flat on the table: the world's z = 0 (otherwise the world "
-                   "is the first camera's frame)")
-      ->type_name("SHOT");
-  command
-      ->add_option("--thickness", arguments->options.board_thickness_mm,
-                   "With --table: how far the table lies below the printed face, mm")
-      ->type_name("MM")
-      ->check(kNotNegative);
-  command
-      ->add_option("--lens-terms", arguments->options.lens_terms,
-                   "How many of k1 k2 p1 p2 k3 are estimated: 0, 1, 2, 4 or 5 (wide lenses)")
-      ->type_name("N")
-      ->capture_default_str();
+  add_options(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print the result as JSON");
   command->add_flag("--quiet", arguments->quiet, "Print nothing");
   command->footer(
