@@ -2,11 +2,15 @@
 //
 // Joins gradient vectors and contour flags of the same pixel into the contour stream.
 //
-//   slope_*       {magnitude, gy, gx} of each pixel, raster order; some clocks ahead of
+//   slope_*       {magnitude, gy, gx} of each pixel, raster order, slope_first_i at a frame's
+//                 first; some clocks ahead of
 //   flags_*       {first, contour} of each real pixel, with sol, eol, sof of its row
 //   ready_o       room for everything that is still in the pipeline: a beat may enter it
 //   m_axis_*      beat: [0] contour, [1] first contour, [23:8] magnitude, [39:24] gx,
 //                 [55:40] gy; tuser first pixel of a frame, tlast last pixel of a line
+//
+// Both halves of a frame's first pixel are marked. Where only one is, a beat was lost or made up by an
+// upset: the other half waits for its mark, so that only this frame is spoilt.
 //
 // Latency 2 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
 // Reserve pixels after ready_o has fallen.
@@ -18,6 +22,7 @@ module contour_packer #(
     input  logic                       clk_i,
     input  logic                       rst_ni,
     input  logic                       slope_valid_i,
+    input  logic                       slope_first_i,
     input  logic [3*FractionBits+21:0] slope_data_i,
     input  logic                       flags_valid_i,
     input  logic                       flags_sol_i,
@@ -39,23 +44,23 @@ module contour_packer #(
   end
 
   logic [LevelBits-1:0] slope_level;
-  logic slope_valid, flags_valid, pop;
+  logic slope_valid, flags_valid, slope_marked, in_step;
   logic signed [SlopeBits-1:0] gx, gy;
   logic [MagnitudeBits-1:0] magnitude;
   logic first, contour;
 
   stream_fifo #(
-      .Width(2 * SlopeBits + MagnitudeBits),
+      .Width(1 + 2 * SlopeBits + MagnitudeBits),
       .Depth(Depth)
   ) i_slope (
       .clk_i,
       .rst_ni,
       .push_i(slope_valid_i),
-      .data_i(slope_data_i),
+      .data_i({slope_first_i, slope_data_i}),
       .level_o(slope_level),
       .m_tvalid_o(slope_valid),
-      .m_tready_i(pop),
-      .m_tdata_o({magnitude, gy, gx})
+      .m_tready_i(flags_valid && (in_step ? m_axis_tready_i : !slope_marked)),
+      .m_tdata_o({slope_marked, magnitude, gy, gx})
   );
 
   stream_fifo #(
@@ -68,16 +73,17 @@ module contour_packer #(
       .data_i({flags_data_i, flags_sof_i && flags_sol_i, flags_eol_i}),
       .level_o(),
       .m_tvalid_o(flags_valid),
-      .m_tready_i(pop),
+      .m_tready_i(slope_valid && (in_step ? m_axis_tready_i : slope_marked)),
       .m_tdata_o({first, contour, m_axis_tuser_o, m_axis_tlast_o})
   );
 
-  assign pop = m_axis_tvalid_o && m_axis_tready_i;
-  assign m_axis_tvalid_o = flags_valid && slope_valid;
+  assign in_step = slope_marked == m_axis_tuser_o;
+  assign m_axis_tvalid_o = flags_valid && slope_valid && in_step;
   assign m_axis_tdata_o = {8'b0, 16'(gy), 16'(gx), 16'(magnitude), 6'b0, first, contour};
 
   always_ff @(posedge clk_i) begin
-    ready_o <= rst_ni && slope_level < LevelBits'(Depth - Reserve);
+    // Where no flags wait the pipeline goes on, whatever the level says.
+    ready_o <= rst_ni && (slope_level < LevelBits'(Depth - Reserve) || !flags_valid);
   end
 
   // Handshake; the flags of a pixel never come before its gradient.
@@ -88,7 +94,7 @@ module contour_packer #(
     held_data_q <= m_axis_tdata_o;
     if (rst_ni) begin
       assert (!held_q || (m_axis_tvalid_o && m_axis_tdata_o == held_data_q));
-      assert (!flags_valid || slope_valid);
+      assert (!flags_valid || (slope_valid && in_step));
     end
   end
 endmodule

@@ -7,7 +7,8 @@
 //
 //   noise_floor_i, mean_limit_i, support_i   thresholds, see first_contour, ridge
 //   slot in, data_i    pixels, see slot_tracker
-//   slope_*            {magnitude, gy, gx} of each real pixel, raster order; some clocks ahead of
+//   slope_*            {magnitude, gy, gx} of each real pixel, raster order, slope_first_o at a frame's
+//                      first; some clocks ahead of
 //   slot out, data_o   {first, contour}, eol_o last column; see second_contour
 //
 // Latency 8 rows + 8 columns + 30 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
@@ -27,6 +28,7 @@ module contours #(
     input  logic [                1:0] fault_i,
     input  logic [                7:0] data_i,
     output logic                       slope_valid_o,
+    output logic                       slope_first_o,
     output logic [3*FractionBits+21:0] slope_data_o,
     output logic                       valid_o,
     output logic                       sol_o,
@@ -88,6 +90,7 @@ module contours #(
       .column_valid_i(tail_column_valid),
       .column_i(tail_column),
       .valid_o(slope_valid_o),
+      .first_o(slope_first_o),
       .data_o(slope_data_o)
   );
 

@@ -6,7 +6,8 @@
 // memories; six rows of pixels take 48 and a second kernel.
 //
 //   slot and column in   the tail of gradient's window, the slot one clock behind the column
-//   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order
+//   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order;
+//                        first_o: a frame's first
 //
 // Latency 2 columns + 9 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
@@ -23,13 +24,17 @@ module slope #(
     input  logic                       column_valid_i,
     input  logic [               39:0] column_i,
     output logic                       valid_o,
+    output logic                       first_o,
     output logic [3*FractionBits+21:0] data_o
 );
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
 
-  // Three clocks after column_i.
-  logic valid, is_real, in_frame, valid_late, in_frame_late;
+  // Three clocks after column_i: what a beat is; a frame's first pixel is border.
+  localparam logic [1:0] None = 2'd0, First = 2'd1, Border = 2'd2, Inside = 2'd3;
+  logic valid, is_real, in_frame, sol, sof;
+  logic [1:0] kind, kind_late;
+  assign kind = !(valid && is_real) ? None : sof && sol ? First : in_frame ? Inside : Border;
   slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
   ) i_tracker (
@@ -44,9 +49,9 @@ module slope #(
       .valid1_o(),
       .col1_o(),
       .valid_o(valid),
-      .sol_o(),
+      .sol_o(sol),
       .eol_o(),
-      .sof_o(),
+      .sof_o(sof),
       .real_o(is_real),
       .fault_o(),
       .inside_o(in_frame),
@@ -86,12 +91,13 @@ module slope #(
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid && is_real, in_frame}),
-      .data_o({valid_late, in_frame_late})
+      .data_i(kind),
+      .data_o(kind_late)
   );
 
   always_ff @(posedge clk_i) begin
-    valid_o <= rst_ni && valid_late;
-    data_o  <= in_frame_late ? {magnitude, vector_late} : '0;
+    valid_o <= rst_ni && kind_late != None;
+    first_o <= kind_late == First;
+    data_o  <= kind_late == Inside ? {magnitude, vector_late} : '0;
   end
 endmodule

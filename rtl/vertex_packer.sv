@@ -111,7 +111,9 @@ module vertex_packer #(
       .m_tdata_o(word)
   );
 
-  // The first two words wait for the third.
+  // The first two words wait for the third. Where no word is left or on its way a record begins, so
+  // that a word lost or made up by an upset spoils no further frame.
+  logic idle_q;
   logic [1:0] have_q;
   logic [31:0] words_low_q;
   logic [47:0] out;
@@ -122,7 +124,8 @@ module vertex_packer #(
   assign word_ready = m_axis_tready_i || have_q != 2'd2;
   always_ff @(posedge clk_i) begin
     if (word_valid && have_q != 2'd2) words_low_q <= {word, words_low_q[31:16]};
-    if (!rst_ni) have_q <= '0;
+    idle_q <= words_q == '0;
+    if (!rst_ni || (idle_q && words_q == '0 && !word_valid)) have_q <= '0;
     else if (word_valid && word_ready) have_q <= have_q == 2'd2 ? 2'd0 : have_q + 2'd1;
   end
 
@@ -149,6 +152,7 @@ module vertex_packer #(
       assert (!held_q || (m_axis_tvalid_o && m_axis_tdata_o == held_data_q));
       assert (!(vertex_valid_i && (end_valid_i || end_waits_q || words_q[1])));
       assert (!(end_valid_i && end_waits_q));
+      assert (!(idle_q && words_q == '0 && !word_valid) || have_q == '0);
     end
   end
 endmodule

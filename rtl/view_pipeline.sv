@@ -157,7 +157,7 @@ module view_pipeline #(
       .data_o(slot_data)
   );
 
-  logic slope_valid, second_valid, second_sol, second_eol, second_sof, second_real;
+  logic slope_valid, slope_first, second_valid, second_sol, second_eol, second_sof, second_real;
   logic [3*FractionBits+21:0] slope_data;
   logic [1:0] second_fault, second_data;
   contours #(
@@ -176,6 +176,7 @@ module view_pipeline #(
       .fault_i(slot_fault),
       .data_i(slot_data),
       .slope_valid_o(slope_valid),
+      .slope_first_o(slope_first),
       .slope_data_o(slope_data),
       .valid_o(second_valid),
       .sol_o(second_sol),
@@ -192,6 +193,7 @@ module view_pipeline #(
       .clk_i,
       .rst_ni,
       .slope_valid_i(slope_valid),
+      .slope_first_i(slope_first),
       .slope_data_i(slope_data),
       .flags_valid_i(second_valid && second_real),
       .flags_sol_i(second_sol),

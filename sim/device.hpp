@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "Vtrihedron_top.h"
 #ifdef TRIHEDRON_RTL_COVERAGE
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <vector>
 
 #include "Vtrihedron_top__Syms.h"
 #include "Vtrihedron_top___024root.h"
@@ -26,16 +26,34 @@ namespace trihedron::sim {
 /// The Verilated top and its clock: settle() lets the inputs reach the outputs, tick() is the
 /// rising edge. 10 ns a clock in the waveform, counted from power-on.
 class Device {
+#ifdef TRIHEDRON_RTL_COVERAGE
+  // Verilator counts in an array of the model; a new device goes on where the last one stopped.
+  auto& coverage_counters() { return top_->rootp->vlSymsp->__Vcoverage; }
+  std::vector<std::uint32_t>& coverage_total() {
+    static std::vector<std::uint32_t> total(std::size(coverage_counters()), 0);
+    return total;
+  }
+  void save_coverage() {
+    std::copy(std::begin(coverage_counters()), std::end(coverage_counters()),
+              coverage_total().begin());
+    if (!coverage_file_.empty()) context_.coveragep()->write(coverage_file_.c_str());
+  }
+#endif
+
  public:
   /// A device in the state before reset; writes every clock to `trace_file` unless empty, and the
-  /// coverage of all devices of this process to `coverage_file`.
-  explicit Device(const std::string& trace_file, const std::string& coverage_file = "")
+  /// coverage of all devices of this process to `coverage_file`. `plusargs` are Verilog's.
+  explicit Device(const std::string& trace_file, const std::string& coverage_file = "",
+                  const std::vector<std::string>& plusargs = {})
       : coverage_file_(coverage_file) {
+    std::vector<const char*> arguments;
+    for (const std::string& plusarg : plusargs) arguments.push_back(plusarg.c_str());
+    context_.commandArgs(static_cast<int>(arguments.size()), arguments.data());
     context_.traceEverOn(!trace_file.empty());
     context_.fatalOnError(false);  // a failed assertion is the caller's to report
     top_ = std::make_unique<Vtrihedron_top>(&context_, "trihedron_top");
 #ifdef TRIHEDRON_RTL_COVERAGE
-    std::copy(coverage_total().begin(), coverage_total().end(), coverage_counters());
+    std::copy(coverage_total().begin(), coverage_total().end(), std::begin(coverage_counters()));
 #endif
     if (trace_file.empty()) return;
     trace_ = std::make_unique<VerilatedFstC>();
@@ -51,6 +69,7 @@ class Device {
   }
 
   Vtrihedron_top& pins() { return *top_; }
+  VerilatedContext& context() { return context_; }
 
   /// An assertion of the RTL has failed; Verilator has printed which.
   bool failed() const { return context_.gotError(); }
@@ -70,19 +89,6 @@ class Device {
   }
 
  private:
-#ifdef TRIHEDRON_RTL_COVERAGE
-  // Verilator counts in an array of the model; a new device goes on where the last one stopped.
-  std::uint32_t* coverage_counters() { return top_->rootp->vlSymsp->__Vcoverage; }
-  std::vector<std::uint32_t>& coverage_total() {
-    static std::vector<std::uint32_t> total(std::size(top_->rootp->vlSymsp->__Vcoverage), 0);
-    return total;
-  }
-  void save_coverage() {
-    std::copy_n(coverage_counters(), coverage_total().size(), coverage_total().begin());
-    if (!coverage_file_.empty()) context_.coveragep()->write(coverage_file_.c_str());
-  }
-#endif
-
   static constexpr int kAllLevels = 99;
   static constexpr std::uint64_t kClockPs = 10000;
 

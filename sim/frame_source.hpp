@@ -43,7 +43,8 @@ class FrameDesk {
 };
 
 /// Turns one view's frames into lines for its driver and tells what is expected to come out.
-/// Works one frame ahead of the driver, so that an expectation is known before its frame is sent.
+/// Works ahead of the driver, so that an expectation is known before its frame is sent: by one
+/// frame, or by as many as run together because their starts are missing.
 class FrameSourceProcess : public sc_core::sc_module {
  public:
   using Expect = std::function<void(ExpectedFrame&&)>;
@@ -74,22 +75,33 @@ class FrameSourceProcess : public sc_core::sc_module {
   void run() {
     for (;;) {
       wait(begin_);
-      std::vector<WireLinePtr> ahead;
+      ahead_.clear();
       while (!stopped_) {
         const std::optional<SourceFrame> frame = desk_.request(view_);
         if (!frame) break;
-        std::vector<WireLinePtr> next = make_wire_lines(*frame);
-        for (const WireLinePtr& line : next) guard_.feed(*line, expected_);
+        Batch next{make_wire_lines(*frame), 0};
+        for (const WireLinePtr& line : next.lines) guard_.feed(*line, expected_);
+        next.starts = guard_.starts();
+        ahead_.push_back(std::move(next));
         announce();
-        send(ahead);
-        ahead = std::move(next);
+        while (!ahead_.empty() && ahead_.front().starts <= guard_.settled_starts()) send_first();
       }
       guard_.finish(expected_);
       announce();
-      ahead.push_back(nullptr);  // end of the sequence
-      send(ahead);
+      while (!ahead_.empty()) send_first();
+      send({nullptr});  // end of the sequence
       finished_ = true;
     }
+  }
+  /// The lines of one frame, to be sent when so many starts of frame are settled.
+  struct Batch {
+    std::vector<WireLinePtr> lines;
+    std::size_t starts = 0;
+  };
+
+  void send_first() {
+    send(ahead_.front().lines);
+    ahead_.pop_front();
   }
   void announce() {
     for (ExpectedFrame& frame : expected_) expect_(std::move(frame));
@@ -105,6 +117,7 @@ class FrameSourceProcess : public sc_core::sc_module {
   FrameDesk& desk_;
   GuardModel guard_;
   std::vector<ExpectedFrame> expected_;
+  std::deque<Batch> ahead_;
   Expect expect_;
   sc_core::sc_event begin_, wake_;
   bool stopped_ = false;

@@ -63,6 +63,9 @@ class GuardModel {
   /// Nothing follows: the input stays idle.
   void finish(std::vector<ExpectedFrame>& done);
 
+  /// Starts of frame so far, and of how many the frames have ended or been dropped, oldest first.
+  std::size_t starts() const { return starts_; }
+  std::size_t settled_starts() const { return active_ ? starts_ - 1 : starts_; }
   /// One bit per kind of event that happened.
   std::uint32_t event_kinds() const { return event_kinds_; }
   /// Pixels that brought an event; one that brought two counts once.

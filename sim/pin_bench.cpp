@@ -25,7 +25,7 @@ std::uint64_t agent_seed(std::uint64_t seed, int agent) {
 
 struct PinBench::Pins {
   explicit Pins(const RunOptions& options)
-      : device(options.trace_file, options.code_coverage_file),
+      : device(options.trace_file, options.code_coverage_file, options.plusargs),
         drivers{driver(options, 0), driver(options, 1), driver(options, 2)},
         monitors{monitor(options, 0), monitor(options, 1), monitor(options, 2)},
         vertex_monitor(options.vertex_stalls, agent_seed(options.seed, 32)),
@@ -43,8 +43,12 @@ struct PinBench::Pins {
   PerView<ContourMonitor> monitors;
   VertexMonitor vertex_monitor;
   AxiLiteMaster registers;
-  // Clocks of accepted frame starts, oldest first, and how many were forgotten.
-  PerView<std::deque<std::uint64_t>> starts;
+  // Clock of accepted frame starts and input stalls before them, oldest first, and how many were
+  // forgotten.
+  struct Start {
+    std::uint64_t clock = 0, stalls = 0;
+  };
+  PerView<std::deque<Start>> starts;
   PerView<std::size_t> starts_forgotten{};
   PerView<ViewStatistics> statistics{};
 };
@@ -163,7 +167,7 @@ void PinBench::sample() {
     } else if ((top.s_axis_tready >> view) & 1) {
       transfer = true;
       ++count.pixels;
-      if (driver.accept()) pins_->starts[view].push_back(clocks_);
+      if (driver.accept()) pins_->starts[view].push_back({clocks_, count.input_stalls});
       host_needed_ |= driver.starving() || driver.holding();
     } else {
       ++count.input_stalls;
@@ -259,7 +263,16 @@ std::uint32_t PinBench::access(bool write, std::uint32_t address, std::uint32_t 
 
 std::uint64_t PinBench::start_clock(int view, std::size_t start) const {
   const auto v = static_cast<std::size_t>(view);
-  return pins_->starts[v].at(start - pins_->starts_forgotten[v]);
+  return pins_->starts[v].at(start - pins_->starts_forgotten[v]).clock;
+}
+
+std::uint64_t PinBench::input_stalls(int view, std::size_t start) const {
+  const auto v = static_cast<std::size_t>(view);
+  const auto& starts = pins_->starts[v];
+  const std::size_t at = start - pins_->starts_forgotten[v];
+  const std::uint64_t end =
+      at + 1 < starts.size() ? starts[at + 1].stalls : pins_->statistics[v].input_stalls;
+  return end - starts.at(at).stalls;
 }
 
 void PinBench::forget_starts(int view, std::size_t before) {

@@ -56,6 +56,8 @@ class PinBench : public sc_core::sc_module {
   void release_sources();
   /// Clock at which frame number `start` of `view` began to be accepted.
   std::uint64_t start_clock(int view, std::size_t start) const;
+  /// Input stalls of `view` from that start to the next, or so far.
+  std::uint64_t input_stalls(int view, std::size_t start) const;
   void forget_starts(int view, std::size_t before);
   void add_statistics(Report& report) const;
   /// What broke a stream's protocol, where and when.

@@ -8,6 +8,8 @@
 namespace trihedron::sim {
 
 Size random_size(Random& random) {
+  // Thousands of vertices in one frame.
+  if (random.chance(0.01)) return {random.between(1000, kMaxWidthPx), random.between(13, 80)};
   switch (random.between(0, 11)) {
     case 0:
       return {kMinSizePx, kMinSizePx};

@@ -15,8 +15,8 @@ struct Size {
   int width = 0;   ///< px
   int height = 0;  ///< px
 };
-/// A legal size. The extremes are narrow in the other direction: a frame costs about 10,000 clocks
-/// at most.
+/// A legal size. The extremes are narrow in the other direction: a frame costs about 10,000 clocks,
+/// one in a hundred up to 150,000.
 Size random_size(Random& random);
 
 /// None, 10 %, 50 %, bursts of up to 64 clocks, and rare stops of up to kLongestStallClocks.

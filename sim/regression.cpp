@@ -13,7 +13,11 @@
 namespace trihedron::sim {
 namespace {
 
-int frames_per_view(Random& random) { return random.between(1, 5); }
+// Few, or so many that the frame tag, 8 bits, wraps around.
+constexpr int kFewFrames = 5;
+int frames_per_view(Random& random) {
+  return random.between(1, 300) == 1 ? random.between(257, 280) : random.between(1, kFewFrames);
+}
 
 /// Draws one case, part by part; the order of the parts is what a seed means.
 class CaseWriter {
@@ -51,7 +55,7 @@ class CaseWriter {
     options.exercise_registers = random_.chance(0.2);
     options.poll_registers = random_.chance(0.3);
     same_size_ = random_.chance(0.5);
-    common_ = random_size(random_);
+    common_ = draw_size();
     if (same_size_ && random_.chance(0.5)) options.frame_height = known_height();
     faults_ = random_.chance(0.3);
   }
@@ -83,8 +87,13 @@ class CaseWriter {
     }
   }
 
+  Size draw_size() {
+    if (frames_ <= kFewFrames) return random_size(random_);
+    return {random_.between(kMinSizePx, 12), random_.between(kMinSizePx, 12)};
+  }
+
   SourceFrame draw_frame(int index, Pattern content) {
-    Size size = same_size_ ? common_ : random_size(random_);
+    Size size = same_size_ ? common_ : draw_size();
     const auto at = static_cast<std::size_t>(index);
     const bool last = index + 1 == frames_;
     // The last frame ends by itself.

@@ -84,7 +84,12 @@ void Scoreboard::take(const ContourLine& line) {
     return differ(position, "contour tuser", std::max(0, line.stray_start), y,
                   y == 0 ? "a start of frame" : "no start of frame", "the opposite");
   }
-  if (y == 0) frame.latency_clocks = line.first_clock - start_clock_(frame.expected.start_index);
+  if (y == 0) {
+    frame.start_clock = pins_.start_clock(frame.expected.start_index);
+    frame.latency_clocks = line.first_clock - frame.start_clock;
+  }
+  frame.last_clock = line.last_clock;
+  frame.contour_stalls += line.stalls;
   ContourBeat* row = frame.got.contour.data() + static_cast<std::ptrdiff_t>(y) * width;
   std::transform(line.beats.begin(), line.beats.end(), row, unpack_beat);
   if (setup_.check) compare_line(position, line);
@@ -195,7 +200,9 @@ void Scoreboard::retire() {
     statistics_.last_vertices_lost = frame.got.vertices_lost;
     statistics_.latency_clocks = std::max(statistics_.latency_clocks, frame.latency_clocks);
     compared_.frames += setup_.check;
-    sink_({setup_.view, retired_, std::move(frame.got), frame.status, frame.latency_clocks});
+    sink_({setup_.view, retired_, std::move(frame.got), frame.status, frame.latency_clocks,
+           frame.last_clock - frame.start_clock + 1,
+           pins_.input_stalls(frame.expected.start_index), frame.contour_stalls});
     ++retired_;
     frames_.pop_front();
   }

@@ -43,10 +43,12 @@ class Scoreboard {
 
   /// Adds what was compared and this view's frames and vertices.
   void add_to(Report& report) const;
-  /// Looks up the clock at which a frame's first pixel was accepted.
-  void on_frame(std::function<std::uint64_t(std::size_t start_index)> start_clock) {
-    start_clock_ = std::move(start_clock);
-  }
+  /// What only the pins know of a frame, by the number of its start of frame.
+  struct Pins {
+    std::function<std::uint64_t(std::size_t start_index)> start_clock;   ///< first pixel accepted
+    std::function<std::uint64_t(std::size_t start_index)> input_stalls;  ///< so far; asked last
+  };
+  void look_up(Pins pins) { pins_ = std::move(pins); }
 
  private:
   struct OpenFrame {
@@ -54,7 +56,7 @@ class Scoreboard {
     ViewFeatures golden;  ///< empty unless checked
     ViewFeatures got;
     std::uint16_t status = 0;
-    std::uint64_t latency_clocks = 0;
+    std::uint64_t start_clock = 0, latency_clocks = 0, last_clock = 0, contour_stalls = 0;
     int lines = 0;
     bool ended = false;  ///< its end-of-frame record has arrived
     bool contour_complete() const { return lines == expected.image.height; }
@@ -69,7 +71,7 @@ class Scoreboard {
 
   Setup setup_;
   FrameSink sink_;
-  std::function<std::uint64_t(std::size_t)> start_clock_;
+  Pins pins_;
   std::deque<OpenFrame> frames_;  ///< expected, oldest first
   std::int64_t retired_ = 0;
   std::optional<Mismatch> mismatch_;

@@ -56,6 +56,7 @@ struct RunOptions {
   /// Verilator's line and toggle counts of all runs of this process so far; needs a build with
   /// TRIHEDRON_RTL_COVERAGE.
   std::string code_coverage_file;
+  std::vector<std::string> plusargs;  ///< Verilog's, "+name=value"
 };
 
 /// One frame as it left the hardware.
@@ -65,6 +66,9 @@ struct FrameResult {
   ViewFeatures features;
   std::uint16_t status = 0;          ///< frame status flags of the end-of-frame record; 0: clean
   std::uint64_t latency_clocks = 0;  ///< first pixel in to its contour beat out
+  std::uint64_t clocks = 0;          ///< first pixel in to last contour beat out, both included
+  std::uint64_t input_stalls = 0;    ///< clocks with a pixel offered but not accepted, until its end
+  std::uint64_t contour_stalls = 0;  ///< clocks with a contour beat offered but not taken
 };
 using FrameSink = std::function<void(FrameResult&&)>;
 

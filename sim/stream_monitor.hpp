@@ -18,6 +18,8 @@ struct ContourLine {
   int stray_start = -1;              ///< column of a tuser elsewhere, or -1
   bool end = true;                   ///< false: cut by the monitor, no tlast within kMaxWidthPx
   std::uint64_t first_clock = 0;     ///< clock of the first beat
+  std::uint64_t last_clock = 0;      ///< clock of the last beat
+  std::uint64_t stalls = 0;          ///< clocks with a beat offered but not taken, since the last line
 };
 using ContourLinePtr = std::shared_ptr<const ContourLine>;
 
@@ -68,7 +70,7 @@ class ContourMonitor {
     else if (user)
       line_->stray_start = static_cast<int>(line_->beats.size());
     line_->beats.push_back(data);
-    if (last || line_->beats.size() > kMaxWidthPx) close_line(last);
+    if (last || line_->beats.size() > kMaxWidthPx) close_line(last, clock);
     return true;
   }
 
@@ -83,8 +85,10 @@ class ContourMonitor {
     line_->start = start;
     line_->first_clock = clock;
   }
-  void close_line(bool end) {
+  void close_line(bool end, std::uint64_t clock) {
     line_->end = end;
+    line_->last_clock = clock;
+    line_->stalls = stalls_ - std::exchange(stalls_before_, stalls_);
     width_ = line_->beats.size();
     lines_.push_back(std::move(line_));
     line_ = nullptr;
@@ -97,7 +101,7 @@ class ContourMonitor {
   std::shared_ptr<ContourLine> line_;
   std::vector<ContourLinePtr> lines_;
   std::uint64_t beats_ = 0;
-  std::uint64_t stalls_ = 0;
+  std::uint64_t stalls_ = 0, stalls_before_ = 0;
 };
 
 /// Receiver of the merged vertex stream; sorts the records by view.

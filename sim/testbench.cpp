@@ -135,10 +135,13 @@ void Testbench::start_views() {
       finished_frames_.push_back(std::move(frame));
       sc_core::sc_pause();
     });
-    scoreboards_[v].on_frame([this, view](std::size_t start) {
-      bench_.forget_starts(view, start);
-      return bench_.start_clock(view, start);
-    });
+    scoreboards_[v].look_up(
+        {[this, view](std::size_t start) { return bench_.start_clock(view, start); },
+         [this, view](std::size_t start) {
+           const std::uint64_t stalls = bench_.input_stalls(view, start);
+           bench_.forget_starts(view, start + 1);
+           return stalls;
+         }});
     const GuardModel guard(guard_settings(static_cast<unsigned>(view)), options_.flush_timeout);
     sources_[v].begin(
         guard, [this, v](ExpectedFrame&& frame) { scoreboards_[v].expect(std::move(frame)); });

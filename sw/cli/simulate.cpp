@@ -104,8 +104,8 @@ int run_in_batches(const Arguments& arguments) {
   const std::optional<std::size_t> frames =
       FrameInputs(arguments.job.inputs, arguments.job.skip_unreadable).count();
   if (!frames) throw Error("--shard: a live camera has no parts; expected images or videos");
-  if (arguments.job.limit > 0 || !arguments.job.trace.empty())
-    throw Error("--shard: not with --limit or --trace; expected the whole input, without a trace");
+  if (arguments.job.limit > 0 || !arguments.job.trace.empty() || !arguments.job.stats.empty())
+    throw Error("--shard: not with --limit, --trace or --stats; expected the whole input");
   const auto start = std::chrono::steady_clock::now();
   const auto texts = run_sharded(
       (*frames + kFrames - 1) / kFrames, 1, "batches of 30 frames", arguments.shard,
@@ -140,6 +140,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
   command.add_option("--limit", job.limit, "Stop after so many frames; 0: all")
       ->check(kNotNegative);
+  command.add_option("--stats", job.stats, "Write clocks, stalls and vertices of each frame")
+      ->type_name("FILE.csv|.json");
   command.add_flag("--skip-unreadable", job.skip_unreadable, "Pass over unreadable frames");
   command.add_flag("--quiet", arguments.quiet, "Only the closing lines");
   command.add_flag("--json", arguments.json, "Print the result as JSON");

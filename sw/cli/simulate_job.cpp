@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "cli/frame_statistics.hpp"
 #include "cli/interrupt.hpp"
 #include "io/feature_files.hpp"
 #include "io/views.hpp"
@@ -30,7 +31,7 @@ class Job {
  public:
   Job(const SimulateArguments& arguments, FrameInputs& inputs,
       const std::function<void(const std::string&)>& print)
-      : arguments_(arguments), inputs_(inputs), print_(print) {}
+      : arguments_(arguments), inputs_(inputs), print_(print), statistics_(arguments.stats) {}
 
   SimulationOutcome run() {
     if (arguments_.front_end == "rtl")
@@ -54,15 +55,17 @@ class Job {
           const auto view = static_cast<std::size_t>(frame.view);
           const Ticket ticket = std::move(in_flight_[view].front());
           in_flight_[view].pop_front();
-          finish(ticket, frame.features, frame.latency_clocks);
+          finish(ticket, frame);
         });
     take(report);
   }
 
   void compute() {
-    while (std::optional<InputFrame> frame = next())
-      finish({frame->sequence, frame->id, started_ - 1}, golden_front_end()({frame->grey}).front(),
-             0);
+    while (std::optional<InputFrame> frame = next()) {
+      sim::FrameResult result;
+      result.features = golden_front_end()({frame->grey}).front();
+      finish({frame->sequence, frame->id, started_ - 1}, result);
+    }
   }
 
   void take(const sim::Report& report) {
@@ -101,7 +104,8 @@ class Job {
     return sim::SourceFrame{to_grey_image(frame.grey)};
   }
 
-  void finish(const Ticket& ticket, const ViewFeatures& features, std::uint64_t latency) {
+  void finish(const Ticket& ticket, const sim::FrameResult& frame) {
+    const ViewFeatures& features = frame.features;
     if (!arguments_.out.empty())
       write_features(std::filesystem::path(arguments_.out) / ticket.sequence, ticket.id, features);
     const auto contour = static_cast<std::uint64_t>(
@@ -110,10 +114,13 @@ class Job {
     ++outcome_.frames;
     outcome_.contour_px += contour;
     outcome_.vertices += features.vertices.size();
+    statistics_.add(ticket.sequence, ticket.id, frame, contour);
     done_[ticket.number] = fmt::format(
         "{}/{:06} {}x{} px: {} contour px, {} vertices, {} lost{}", ticket.sequence, ticket.id,
         features.width, features.height, contour, features.vertices.size(), features.vertices_lost,
-        latency > 0 ? fmt::format(", latency {} clocks", latency) : "");
+        frame.clocks > 0
+            ? fmt::format(", {} clocks, latency {}", frame.clocks, frame.latency_clocks)
+            : "");
     for (auto first = done_.begin(); first != done_.end() && first->first == printed_;
          first = done_.erase(first), ++printed_)
       print_(first->second);
@@ -122,6 +129,7 @@ class Job {
   const SimulateArguments& arguments_;
   FrameInputs& inputs_;
   const std::function<void(const std::string&)>& print_;
+  FrameStatistics statistics_;
   std::array<std::deque<std::pair<InputFrame, int>>, sim::kViews> waiting_;
   std::array<std::deque<Ticket>, sim::kViews> in_flight_;
   std::map<int, std::string> done_;  ///< lines of frames that came out before their turn

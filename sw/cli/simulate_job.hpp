@@ -13,7 +13,7 @@ namespace trihedron::cli {
 
 struct SimulateArguments {
   std::vector<std::string> inputs;
-  std::string out, trace, front_end = "rtl";
+  std::string out, trace, stats, front_end = "rtl";
   std::uint64_t seed = 1;
   double idles = 0.0, stalls = 0.0;
   int limit = 0;

@@ -52,6 +52,23 @@ TEST_CASE("each view gives the golden features of its own image") {
   }
 }
 
+TEST_CASE("tall frames that run together because a start is missing are expected as one") {
+  SourceFrame lost = frame_of(polygons(6, 363, 3));
+  lost.fault = Fault::kMissingStart;
+  const SourceFrame good = frame_of(polygons(6, 363, 4));
+  const Report report = run_all(checked(), {good, good, lost, good});
+  REQUIRE(report.passed());
+  CHECK(report.compared.frames == 3 * 3);
+  CHECK(report.compared.beats == 3 * 4 * 6 * 363);
+}
+
+TEST_CASE("the frame tag wraps around after 256 frames, the counters do not") {
+  const std::vector<SourceFrame> frames(260, frame_of(polygons(5, 5, 2)));
+  const Report report = run_all(checked(), frames);
+  REQUIRE(report.passed());
+  CHECK(report.compared.frames == 3 * 260);
+}
+
 TEST_CASE("runs of one process do not influence each other") {
   RunOptions options = checked();
   options.pixel_idles = options.contour_stalls = options.vertex_stalls = {0.3, 4};
