@@ -209,6 +209,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.ring_full_q ;
   (* hierconn *) wire \dut.col_is_width_q ;
   (* hierconn *) wire \dut.col_is_max_q ;
+  (* hierconn *) wire \dut.wide_enough_q ;
   (* hierconn *) wire \dut.rows_is_max_q ;
   (* hierconn *) wire \dut.rows_is_height_m1_q ;
   (* hierconn *) wire [2:0] \dut.col_q ;
@@ -237,6 +238,7 @@ module frame_guard_properties #(
       if (active) begin
         assert (\dut.write_q - base_q == 6'(guard_col) && guard_col <= 3'd5);
         assert (next_col_q == guard_col && next_row_q == (begun ? guard_rows[2:0] : 3'd0));
+        assert (begun || \dut.wide_enough_q == (guard_col > 3'd3));
         assert (\dut.col_is_max_q == (guard_col == 3'd5));
         assert (\dut.switched_q && !start_pending_q ? guard_col == last_col && !begun && guard_col > 3'd3
                                 : \dut.col_is_width_q == (guard_col != '0 && guard_col == last_col));

@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 status=0
 long="slot_tracker frame_guard frame_guard_good"
-all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank row_slots $long"
+all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots $long"
 quick=
 [ "${1:-}" = --quick ] && { quick=1; all=${all%"$long"}; shift; }
 
@@ -28,6 +28,7 @@ describe() {
       engine=induction
       others="rtl/shift_fifo.sv rtl/line_memory.sv tests/formal/slot_stream.sv"
       ;;
+    credit) module=stream_fifo others=rtl/line_memory.sv ;;
     slot_tracker) others=tests/formal/slot_stream.sv ;;
   esac
   top=${properties}_properties
