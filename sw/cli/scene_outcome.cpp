@@ -37,21 +37,15 @@ ResultRow row_from_json(const json& j) {
   return row;
 }
 
-/// Not as the truth says; without truth, nothing found.
-bool failed(const SceneOutcome& outcome) {
-  if (!outcome.has_truth) return outcome.rows.empty();
-  const auto& objects = outcome.score.objects;
-  return outcome.score.wrong > 0 ||
-         std::any_of(objects.begin(), objects.end(), [](const ObjectScore& o) { return !o.right; });
-}
-
-bool in_full(const ReportRequest& request, const std::string& scene, const SceneOutcome& outcome) {
-  return std::any_of(request.scenes.begin(), request.scenes.end(), [&](const std::string& choice) {
-    return choice == "all" || choice == scene || (choice == "failed" && failed(outcome));
+bool in_full(const std::vector<std::string>& choices, const report::RecognizedScene& recognized) {
+  return std::any_of(choices.begin(), choices.end(), [&](const std::string& choice) {
+    return choice == "all" || choice == recognized.scene.name ||
+           (choice == "failed" && report::failed(recognized));
   });
 }
 
-std::string report_text(const report::RecognizedScene& recognized, bool full) {
+std::string report_text(const report::RecognizedScene& recognized, const ReportRequest& request) {
+  const bool full = in_full(request.scenes, recognized);
   const report::Json out = {{"line", report::scene_line(recognized)},
                             {"scene", full ? report::scene_data(recognized) : report::Json()}};
   return out.dump(-1, ' ', false, report::Json::error_handler_t::replace);
@@ -85,7 +79,7 @@ SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& 
   if (request.report.wanted)
     outcome.report = report_text({scene, views, library, result, request.recognition.front_end,
                                   request.recognition.method, activity},
-                                 in_full(request.report, scene.name, outcome));
+                                 request.report);
   return outcome;
 }
 

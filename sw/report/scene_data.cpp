@@ -128,6 +128,7 @@ Json truth(const RecognizedScene& input) {
     const Model* model = find_model(input.library, id);
     objects.push_back({{"model_id", id},
                        {"name", model == nullptr ? "(not in the library)" : model->name},
+                       {"known", model != nullptr},
                        {"right", score.objects[i].right},
                        {"vertex_mm", score.objects[i].vertex_mm}});
   }
@@ -165,6 +166,15 @@ Json thumbnail(const RecognizedScene& input) {
 }
 
 }  // namespace
+
+bool failed(const RecognizedScene& input) {
+  const Json held = truth(input);
+  if (held.is_null()) return input.result.objects.empty();
+  const Json& objects = held.at("objects");
+  return held.at("wrong") != 0 || std::any_of(objects.begin(), objects.end(), [](const Json& o) {
+           return o.at("known") == true && o.at("right") == false;
+         });
+}
 
 Json scene_line(const RecognizedScene& input) {
   Json found = Json::array();

@@ -22,6 +22,10 @@ struct RecognizedScene {
   HardwareActivity hardware;  ///< no views: the front end was not simulated
 };
 
+/// Whether the scene came out other than its truth says: an object of the library not found, or a
+/// result that matches none. Without truth: whether nothing was found.
+bool failed(const RecognizedScene& input);
+
 /// One line of an overview: name, kind, what was found, how that compares with the truth, time of
 /// the software, and a small picture of the first view with the models drawn in.
 Json scene_line(const RecognizedScene& input);

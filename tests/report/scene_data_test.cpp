@@ -97,6 +97,22 @@ TEST_CASE("a line of the overview compares with the truth") {
   CHECK(report::scene_line(fixture.input()).at("truth").is_null());
 }
 
+TEST_CASE("a scene fails by what it misses or invents, not by objects that nobody could know") {
+  Fixture fixture;
+  CHECK_FALSE(report::failed(fixture.input()));
+  const RecognizedObject second = fixture.result.objects[1];
+  fixture.result.objects.pop_back();
+  CHECK(report::failed(fixture.input()));  // missed
+  (*fixture.scene.truth)[1].model_id = 900001;
+  CHECK_FALSE(report::failed(fixture.input()));  // not in the library, and not claimed
+  fixture.result.objects.push_back(second);
+  CHECK(report::failed(fixture.input()));  // claimed
+  fixture.scene.truth.reset();
+  CHECK_FALSE(report::failed(fixture.input()));
+  fixture.result.objects.clear();
+  CHECK(report::failed(fixture.input()));  // nothing found, and nobody says that this is right
+}
+
 TEST_CASE("a picture placed in space by its corners' rays is what the camera sees") {
   const Fixture fixture;
   const Eigen::Vector3d focus = report::looked_at(fixture.scene.cameras);

@@ -12,9 +12,11 @@ function verdictText(scene) {
 
 function truthText(scene) {
   if (!scene.truth) return 'The truth is not known.';
-  const {objects, wrong} = scene.truth;
-  const right = objects.filter((object) => object.right).length;
-  return `Held against the truth: ${right} of ${objects.length} right, ${wrong} wrong.`;
+  const known = scene.truth.objects.filter((object) => object.known);
+  const unknown = scene.truth.objects.length - known.length;
+  const right = known.filter((object) => object.right).length;
+  return `Held against the truth: ${right} of ${known.length} right, ${scene.truth.wrong} wrong.` +
+    (unknown ? ` ${plural(unknown, 'object is', 'objects are')} not in the library.` : '');
 }
 
 function buildSummary(scene) {

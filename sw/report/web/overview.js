@@ -5,7 +5,7 @@
 /// Whether a scene came out as its truth says: right, wrong (false or missing results), unknown.
 function verdictOf(line) {
   if (!line.truth) return line.found.length ? 'unknown' : 'empty';
-  return line.truth.wrong || line.truth.objects.some((object) => !object.right) ? 'failed' : 'right';
+  return line.truth.wrong || line.truth.objects.some((object) => object.known && !object.right) ? 'failed' : 'right';
 }
 
 const kVerdicts = {right: '\u2713 right', failed: '\u2717 not right', unknown: '? no truth',
@@ -19,14 +19,16 @@ const median = (values) => {
 };
 
 function setRow(name, list) {
-  const objects = list.flatMap((line) => (line.truth ? line.truth.objects : []));
+  const all = list.flatMap((line) => (line.truth ? line.truth.objects : []));
+  const objects = all.filter((object) => object.known);
   const right = objects.filter((object) => object.right);
   const wrong = list.reduce((sum, line) => sum + (line.truth ? line.truth.wrong : 0), 0);
   const time = list.reduce((sum, line) => sum + line.milliseconds, 0) / list.length;
-  return [name, grouped(list.length), grouped(objects.length), grouped(right.length),
+  return [name, grouped(list.length), grouped(objects.length) +
+      (all.length > objects.length ? ` + ${all.length - objects.length} unknown` : ''), grouped(right.length),
     objects.length ? `${fixed(100 * right.length / objects.length, 1)} %` : '-',
     objects.length ? bar(right.length / objects.length) : '',
-    objects.length ? grouped(wrong) : '-',
+    all.length ? grouped(wrong) : '-',
     right.length ? fixed(median(right.map((object) => object.vertex_mm)), 3) : '-', fixed(time, 1)];
 }
 
@@ -39,7 +41,8 @@ const thumbnail = ({width, height, picture, objects}) => drawing('svg',
 
 function sceneRow(line) {
   const verdict = verdictOf(line);
-  const missed = line.truth ? line.truth.objects.filter((object) => !object.right) : [];
+  const missed = line.truth ? line.truth.objects.filter((object) => object.known && !object.right)
+    : [];
   const found = line.found.join(', ') || 'nothing';
   return {attributes: {'data-verdict': verdict, 'data-full': String(line.full >= 0)},
     cells: [thumbnail(line.thumbnail), line.scene,
@@ -70,8 +73,9 @@ function buildOverview(overview) {
   if (kinds.length > 1) sets.push(setRow('all', lines));
   byId('overview-sets').replaceChildren(
     element('p', {class: 'caption'}, 'Right: the right model, every vertex within 20 % of the ' +
-      'object\u2019s diameter of its true place. Wrong: results that match no true object. The ' +
-      'error is that of the right ones, the time that of the software per scene.'),
+      'object\u2019s diameter of its true place. Wrong: results that match no true object. ' +
+      'Unknown: objects that are not in the library and must not be reported. The error is that ' +
+      'of the right ones, the time that of the software per scene.'),
     table([{head: 'Set'}, number('Scenes'), number('Objects'), number('Right'), number('Share'),
       {head: ''}, number('Wrong'), number('Median error mm'), number('ms')], sets));
   const rows = table([{head: 'First view'}, {head: 'Scene'}, {head: 'Set'}, {head: 'Verdict'},

@@ -86,7 +86,7 @@ function buildObjects(scene) {
 /// True objects that were not found, where the truth is known.
 function missedObjects(scene) {
   if (!scene.truth) return [];
-  const missed = scene.truth.objects.filter((object) => !object.right);
+  const missed = scene.truth.objects.filter((object) => object.known && !object.right);
   if (!missed.length) return [];
   return [element('p', {class: 'notice'},
     `In the scene but not found: ${missed.map((object) => object.name).join(', ')}.`)];
