@@ -40,7 +40,9 @@ Json to_json(const RecognizedObject& object, const std::vector<Model>& library) 
   for (const SurfaceMatch& match : object.surfaces)
     out["surfaces"].push_back({{"view", match.view},
                                {"scene_surface", match.scene_surface},
-                               {"model_surface", match.model_surface}});
+                               {"model_surface", match.model_surface},
+                               {"visible_share", match.visible_share},
+                               {"found_share", match.found_share}});
   return out;
 }
 

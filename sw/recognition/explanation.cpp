@@ -3,26 +3,13 @@
 
 #include <algorithm>
 
+#include "recognition/seen_surfaces.hpp"
+
 namespace trihedron {
 namespace {
 
-/// The surfaces of an object that the views see, other objects hiding some.
-std::vector<SurfaceMatch> seen_surfaces(const SceneInput& input, const SceneSearch& search,
-                                        int candidate) {
-  constexpr int kLeastCells = 8;  // 32 px^2: less is not seen
-  int position = 0;
-  const auto context = search.context_of(candidate, position);
-  std::vector<SurfaceMatch> out;
-  for (int v = 0; v < static_cast<int>(input.views.size()); ++v) {
-    const auto seen = surface_visibility(*input.views[v].camera, context, position);
-    for (int s = 0; s < static_cast<int>(seen.size()); ++s) {
-      if (seen[s].visible_cells >= kLeastCells) out.push_back({v, -1, s});
-    }
-  }
-  return out;
-}
-
-RecognizedObject report(const SceneInput& input, const SceneSearch& search, int i) {
+RecognizedObject report(const SceneInput& input, const SceneSearch& search, int i,
+                        std::vector<SceneSurface>& surfaces) {
   const Candidate& candidate = search.candidates()[i];
   RecognizedObject out;
   out.model_id = input.library[candidate.model].id;
@@ -35,7 +22,10 @@ RecognizedObject report(const SceneInput& input, const SceneSearch& search, int 
     out.runner_up_model_id = input.library[search.candidates()[rival].model].id;
     out.runner_up_score = search.candidates()[rival].verdict.found_share;
   }
-  out.surfaces = seen_surfaces(input, search, i);
+  int position = 0;
+  const auto context = search.context_of(i, position);
+  describe_surfaces(input.views, context, position,
+                    collect_evidence(input.views, context, position), surfaces, out.surfaces);
   return out;
 }
 
@@ -63,7 +53,7 @@ Explanation explain(const std::vector<View>& views, const std::vector<Model>& li
   search.run();
 
   Explanation out;
-  for (int i : search.active()) out.objects.push_back(report(input, search, i));
+  for (int i : search.active()) out.objects.push_back(report(input, search, i, out.surfaces));
   std::stable_sort(
       out.objects.begin(), out.objects.end(),
       [](const RecognizedObject& a, const RecognizedObject& b) { return a.score > b.score; });

@@ -16,6 +16,7 @@ struct ExplanationOptions {
 struct Explanation {
   std::vector<RecognizedObject> objects;  ///< by decreasing score
   std::vector<Rejection> rejections;      ///< refined hypotheses in the order of refinement
+  std::vector<SceneSurface> surfaces;     ///< of the objects, as measured in each view
 };
 
 /// The set of objects that explains the views together: each of them verified with the others

@@ -79,27 +79,32 @@ struct Collector {
   double least_px, reach_px;              // displacements that count
   std::vector<double> hits;
 
-  Finding look(const EdgePoint& p, double& displacement) {
+  /// What is at the point; `offset` is the distance of what was found there or beside it.
+  Finding look(const EdgePoint& p, double& offset) {
     // A contour proves one line only: where an earlier one runs, nothing is learnt.
     if (explained(p.x, p.normal, kSharedPx, earlier)) return Finding::kSilent;
-    if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, displacement);
+    if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, offset);
     const EdgeProfile profile = view.field->profile(p.x, p.normal);
     const bool clear = std::abs(profile.height) > kClearHeight * profile.sigma_height;
-    if (clear && std::abs(profile.offset_px) < kExactPx) return Finding::kFound;
+    if (clear && std::abs(profile.offset_px) < kExactPx) {
+      offset = profile.offset_px;
+      return Finding::kFound;
+    }
     view.field->contours_across(p.x, p.normal, reach_px, hits);
     const double tolerance = p.crowded ? kMergedPx : kContourPx;
     if (!hits.empty() && std::abs(hits[0]) < tolerance) {
+      offset = hits[0];
       return Finding::kFound;
     }
-    return look_beside(p, displacement);
+    return look_beside(p, offset);
   }
 
-  Finding look_beside(const EdgePoint& p, double& displacement) {
+  Finding look_beside(const EdgePoint& p, double& offset) {
     view.field->contours_across(p.x, p.normal, reach_px, hits);
     for (double d : hits) {
       if (std::abs(d) < least_px || explained(p.x + d * p.normal, p.normal, kExplainedPx, lines))
         continue;
-      displacement = d;
+      offset = d;
       return Finding::kDisplaced;
     }
     return view.field->inside(p.x, ContourField::kProfilePx) ? Finding::kFlat : Finding::kSilent;
@@ -136,9 +141,17 @@ int on_parallel_line(const std::vector<Beside>& points, double& distance) {
   return best;
 }
 
-void settle(PieceEvidence& piece, const std::vector<Beside>& beside, int found) {
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void settle(PieceEvidence& piece, const std::vector<Beside>& beside, std::vector<double>& found) {
   const double n = std::max(1, piece.points);
-  piece.found = found / n;
+  piece.found = static_cast<double>(found.size()) / n;
+  piece.offset_px = median(found);
   piece.displaced = on_parallel_line(beside, piece.displacement_px) / n;
   piece.flat = 1 - piece.found - piece.displaced;
 }
@@ -161,6 +174,7 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
                       {}};
   const auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
   std::vector<Beside> beside;
+  std::vector<double> found;
   for (std::size_t i = 0; i < points.size();) {
     PieceEvidence piece;
     const VisibleEdge& line = own[points[i].piece];
@@ -171,17 +185,17 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
     piece.length_px = line.length_px;
     piece.normal = line.normal;
     piece.middle_in_world = 0.5 * (line.x0_in_world + line.x1_in_world);
-    int found = 0;
+    found.clear();
     FaintStep faint;
     beside.clear();
     for (const int at = points[i].piece; i < points.size() && points[i].piece == at; ++i) {
-      double displacement = 0;
-      const Finding finding = collector.look(points[i], displacement);
+      double offset = 0;
+      const Finding finding = collector.look(points[i], offset);
       piece.points += finding != Finding::kSilent;
       if (finding == Finding::kFlat) faint.add(*view.field, points[i]);
-      found += finding == Finding::kFound;
+      if (finding == Finding::kFound) found.push_back(offset);
       if (finding == Finding::kDisplaced) {
-        beside.push_back({(points[i].x - line.x0).norm(), displacement});
+        beside.push_back({(points[i].x - line.x0).norm(), offset});
       }
     }
     collector.earlier.push_back(line);

@@ -23,6 +23,7 @@ struct PieceEvidence {
   double flat = 0;       ///< share of points with neither: hidden, or no contrast
   double weak = 0;  ///< share of points with too little contrast for a contour, where the piece as
                     ///< a whole does show a step
+  double offset_px = 0;        ///< median of the found points' distances, along `normal`
   double displacement_px = 0;  ///< median of the displaced points' distances, along `normal`
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();          ///< as in VisibleEdge
   Eigen::Vector3d middle_in_world = Eigen::Vector3d::Zero();  ///< mm

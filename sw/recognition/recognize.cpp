@@ -23,6 +23,7 @@ RecognitionResult recognize_full(const std::vector<View>& views,
   Explanation explanation = explain(views, library, search.hypotheses);
   result.objects = std::move(explanation.objects);
   result.rejections = std::move(explanation.rejections);
+  result.surfaces = std::move(explanation.surfaces);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   result.stages.push_back({"poses", static_cast<int>(result.objects.size()), seconds.count()});
   return result;

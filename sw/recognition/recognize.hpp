@@ -25,18 +25,22 @@ struct View {
 
 /// A model surface that was seen.
 struct SurfaceMatch {
-  int view = 0;           ///< index of the view
-  int scene_surface = 0;  ///< index into RecognitionResult::surfaces, -1: seen as contour only
-  int model_surface = 0;  ///< index into Model::surfaces
+  int view = 0;              ///< index of the view
+  int scene_surface = 0;     ///< index into RecognitionResult::surfaces, -1: none described
+  int model_surface = 0;     ///< index into Model::surfaces
+  double visible_share = 1;  ///< of its area in this view, that other objects leave
+  double found_share = 1;    ///< of its visible outline, that was found as contour
 };
 
-/// A surface reconstructed in 3D from the crossed views.
+/// A surface in 3D: method paper reconstructs it from the crossed views, method full measures it
+/// in one view, in the plane that the object's pose gives it.
 struct SceneSurface {
-  int view = 0;                            ///< the view whose region it comes from
-  std::vector<Eigen::Vector3d> vertices;   ///< world, mm, counter-clockwise seen from the camera
-  Eigen::Vector3d normal, centroid;        ///< world, towards the camera
-  double area = 0, perimeter = 0;          ///< mm^2, mm
-  bool complete = true;                    ///< every vertex found its partner
+  int view = 0;                           ///< the view whose region it comes from
+  std::vector<Eigen::Vector3d> vertices;  ///< world, mm, counter-clockwise seen from the camera
+  Eigen::Vector3d normal, centroid;       ///< world, towards the camera
+  double area = 0, perimeter = 0;         ///< mm^2, mm
+  bool complete = true;                   ///< every vertex found its partner; full: every edge
+                                          ///< was found
 };
 
 struct RecognizedObject {
@@ -46,7 +50,7 @@ struct RecognizedObject {
       Eigen::Matrix<double, 6, 6>::Zero();  ///< of (rotation vector rad, translation mm), world
   double score = 0;                         ///< 0..1, larger is surer
   double reprojection_rms_px = 0;
-  int runner_up_model_id = -1;              ///< next best model here, -1: none
+  int runner_up_model_id = -1;  ///< next best model here, -1: none
   double runner_up_score = 0;
   std::vector<SurfaceMatch> surfaces;
 };

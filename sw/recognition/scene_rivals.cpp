@@ -14,6 +14,8 @@ constexpr double kAmbiguous = 0.02;
 /// own, and so many of them.
 constexpr double kRivalShare = 0.7;
 constexpr int kRivals = 3;
+/// The same of the log evidence when nothing is thought to hide the rival.
+constexpr double kRivalShareAlone = 0.4;
 /// Poses that differ by less than this share of the diameter are one answer.
 constexpr double kSameAnswer = 0.05;
 /// Poses of lookalikes are known to kCoincide of the diameter: how far contours are looked for, mm.
@@ -109,8 +111,9 @@ int SceneSearch::best_rival(int winner) {
   int best = -1;
   const double mine = candidates_[winner].verdict.log_against_chance;
   for (int i = 0; i < static_cast<int>(candidates_.size()); ++i) {
+    // What is judged alone may look poor because others hide it.
     const double theirs_alone = candidates_[i].alone.log_against_chance;
-    if (theirs_alone < kRivalShare * mine || !is_rival(i, winner)) continue;
+    if (theirs_alone < kRivalShareAlone * mine || !is_rival(i, winner)) continue;
     const auto place = std::find(active_.begin(), active_.end(), winner);
     *place = i;  // the same scene with the rival in the winner's place
     judge(i);
@@ -122,6 +125,16 @@ int SceneSearch::best_rival(int winner) {
     if (best < 0 || evidence(i) > evidence(best)) best = i;
   }
   return best;
+}
+
+/// What speaks against an object that no accepted rival equals, "": nothing.
+std::string SceneSearch::doubt_about(int winner) {
+  const int next = runner_up(winner);
+  const double mine = candidates_[winner].verdict.log_against_chance;
+  if (next >= 0 && candidates_[next].verdict.log_against_chance * (1 - kAmbiguous) > mine) {
+    return "ambiguous: an answer that is refused explains more";
+  }
+  return mirrored_as_good(winner) ? "similar shape: the model's mirror image explains as much" : "";
 }
 
 /// Holds an object against its rivals: one that explains clearly more takes its place, one that
@@ -137,8 +150,9 @@ void SceneSearch::settle_rivals(int winner) {
     const auto place = std::find(active_.begin(), active_.end(), winner);
     if (rival < 0 || theirs < mine * (1 - kAmbiguous)) {
       if (rival >= 0) reject(rival, kBetter);
-      if (!mirrored_as_good(winner)) return;
-      reject(winner, "similar shape: the model's mirror image explains as much");
+      const std::string doubt = doubt_about(winner);
+      if (doubt.empty()) return;
+      reject(winner, doubt);
       active_.erase(place);
       return;
     }

@@ -57,6 +57,7 @@ class SceneSearch {
   void add_turned(int winner);
   bool mirrored_as_good(int winner);
   int best_rival(int winner);
+  std::string doubt_about(int winner);
   void settle_rivals(int winner);
   bool is_rival(int i, int winner);
   void settle_rivals();

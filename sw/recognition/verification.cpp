@@ -35,10 +35,14 @@ constexpr Answers kNothing = {0.10, 0.05, 0.85, 0.05};
 /// A faint step's log likelihood ratio, edge against chance: 2 % of the pieces of objects that are
 /// there show one, 0.8 % of the pieces predicted where nothing is.
 constexpr double kLogWeak = 0.9;
-/// Shares of weak and of otherwise spoilt pieces (shadows, unknown occluders) of an object that
-/// is there, from the physics of diffuse surfaces: a contrast of less than 2 % of the range has
-/// about this probability.
-constexpr double kWeakShare = 0.06, kSpoiltShare = 0.04;
+/// Shares of weak pieces, of pieces that something unknown hides, and of pieces beside which a
+/// shadow lies just like an edge, of an object that is there: from the physics of diffuse surfaces,
+/// where a contrast of less than 2 % of the range has about the first probability; 0.2 to 0.4 % of
+/// the pieces of true objects have a parallel edge beside them instead of their own.
+constexpr double kWeakShare = 0.06, kHiddenShare = 0.035, kShadowShare = 0.008;
+/// Of edges that lie elsewhere, so many are seen beside their predicted place: the rest lies out of
+/// reach or has no contrast.
+constexpr double kSeenBeside = 0.7;
 
 double likelihood(const PieceEvidence& piece, const Answers& p) {
   const double n = std::min<double>(piece.points, kAnswers);
@@ -49,20 +53,42 @@ double likelihood(const PieceEvidence& piece, const Answers& p) {
 
 /// Likelihood of a piece whose edge is not where it is predicted.
 double likelihood_elsewhere(const PieceEvidence& piece) {
-  return 0.5 * likelihood(piece, kBeside) + 0.5 * likelihood(piece, kNothing);
+  return kSeenBeside * likelihood(piece, kBeside) + (1 - kSeenBeside) * likelihood(piece, kNothing);
+}
+
+/// Likelihood of a piece of an object that is there.
+double likelihood_there(const PieceEvidence& piece) {
+  return (1 - kWeakShare - kHiddenShare - kShadowShare) * likelihood(piece, kPresent) +
+         kWeakShare * likelihood(piece, kWeak) + kHiddenShare * likelihood(piece, kNothing) +
+         kShadowShare * likelihood(piece, kBeside);
 }
 
 /// Likelihood of a piece when a share `elsewhere` of the edges lies elsewhere.
-double mixture(const PieceEvidence& piece, double elsewhere) {
-  return (1 - kWeakShare - elsewhere) * likelihood(piece, kPresent) +
-         kWeakShare * likelihood(piece, kWeak) + elsewhere * likelihood_elsewhere(piece);
+double likelihood_partly(const PieceEvidence& piece, double elsewhere) {
+  return (1 - elsewhere) * likelihood_there(piece) + elsewhere * likelihood_elsewhere(piece);
 }
 
-/// Surfaces with the same normal are equally bright, so that pieces without contrast which they
-/// show in one view have one cause: the longest speaks for all.
+bool same_normal(const Model& model, int a, int b) {
+  constexpr double kSameNormal = 0.98;  // cosine, 11 degrees
+  return model.surfaces[a].normal.dot(model.surfaces[b].normal) > kSameNormal;
+}
+
+/// Whether two pieces without contrast have one cause. Surfaces with one normal are equally bright,
+/// in every view: so are the two sides of all creases between two such; what lies behind an
+/// outline is another matter in each view.
+bool one_cause(const Model& model, const PieceEvidence& a, const PieceEvidence& b) {
+  if (a.type != b.type) return false;
+  if (a.type == EdgeType::kSilhouette) {
+    return a.view == b.view && same_normal(model, a.surface, b.surface);
+  }
+  const ModelEdge &ea = model.edges[a.edge], &eb = model.edges[b.edge];
+  return (same_normal(model, ea.left, eb.left) && same_normal(model, ea.right, eb.right)) ||
+         (same_normal(model, ea.left, eb.right) && same_normal(model, ea.right, eb.left));
+}
+
+/// The pieces, of those without contrast the longest for each cause.
 std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evidence,
                                                      const Model& model) {
-  constexpr double kSameNormal = 0.98;  // cosine, 11 degrees
   std::vector<const PieceEvidence*> out, flat;
   for (const PieceEvidence& piece : evidence.pieces) {
     if (piece.length_px < kShortPx) continue;
@@ -71,8 +97,7 @@ std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evide
       continue;
     }
     const auto same = std::find_if(flat.begin(), flat.end(), [&](const PieceEvidence* other) {
-      return other->view == piece.view && model.surfaces[other->surface].normal.dot(
-                                              model.surfaces[piece.surface].normal) > kSameNormal;
+      return one_cause(model, *other, piece);
     });
     if (same == flat.end()) {
       flat.push_back(&piece);
@@ -85,16 +110,16 @@ std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evide
 }
 
 /// Log odds of "all edges as the model says" against "a fair share of them elsewhere". Of the
-/// poses that come so far, about ten agree in part for one that is right.
+/// poses that come so far, about one agrees in part for one that is right.
 double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
   constexpr double kShares[] = {0.2, 0.4, 0.8};
-  constexpr double kPriorOdds = 10;
+  constexpr double kPriorOdds = 1;
   double there = 0;
-  for (const PieceEvidence* piece : pieces) there += std::log(mixture(*piece, kSpoiltShare));
+  for (const PieceEvidence* piece : pieces) there += std::log(likelihood_there(*piece));
   double elsewhere = 0;
   for (double share : kShares) {
     double log = 0;
-    for (const PieceEvidence* piece : pieces) log += std::log(mixture(*piece, share));
+    for (const PieceEvidence* piece : pieces) log += std::log(likelihood_partly(*piece, share));
     elsewhere += std::exp(std::min(log - there, 600.0)) / std::size(kShares);
   }
   return -std::log(kPriorOdds * std::max(elsewhere, 1e-300));
@@ -107,7 +132,7 @@ double log_against_unseen(const std::vector<const PieceEvidence*>& pieces, int v
   std::vector<double> log(views, std::log(kPriorOdds * views));
   for (const PieceEvidence* piece : pieces) {
     log[piece->view] +=
-        std::log(mixture(*piece, kSpoiltShare) / mixture(*piece, kElsewhereIfUnseen));
+        std::log(likelihood_there(*piece) / likelihood_partly(*piece, kElsewhereIfUnseen));
   }
   return *std::min_element(log.begin(), log.end());
 }
@@ -165,7 +190,7 @@ DisplacedSurface displaced_surface(const std::vector<FieldView>& views, const Pl
       PieceEvidence piece = *vote.piece;
       if (!agrees) std::swap(piece.displaced, piece.flat);
       log += std::log(0.1 * likelihood(piece, kPresent) + 0.9 * likelihood_elsewhere(piece)) -
-             std::log(mixture(*vote.piece, kSpoiltShare));
+             std::log(likelihood_there(*vote.piece));
     }
     if (log > best.log_odds) {
       best.log_odds = log;
