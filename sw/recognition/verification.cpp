@@ -220,15 +220,19 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
     p_sum += answers * p;
     found += answers * piece.found;
     const double missed = 1 - piece.found - piece.weak;
-    out.log_against_chance +=
-        answers * (piece.found * std::log(0.95 / p) + missed * std::log(0.05 / (1 - p))) +
-        piece.weak * kLogWeak;
+    const double hit = std::log(0.95 / p), miss = std::log(0.05 / (1 - p));
+    out.log_of_all += answers * hit;
+    out.log_against_chance += answers * (piece.found * hit + missed * miss) + piece.weak * kLogWeak;
     out.visible_px += piece.length_px;
     out.found_share += piece.length_px * piece.found;
   }
   out.found_share /= std::max(1.0, out.visible_px);
   out.log10_false_alarms = std::log10(tests) + (n > 0 ? log10_tail(n, found / n, p_sum / n) : 0.0);
 }
+
+/// Least share of the evidence of an object all of whose edges are found. A tenth of them weak or
+/// hidden leaves an object 0.6 of it, half of them elsewhere -0.1: midway.
+constexpr double kLeastEvidence = 0.25;
 
 std::string text(const char* format, double a, double b = 0) {
   char buffer[160];
@@ -265,7 +269,8 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
   } else if (out.log_against_unseen < 0) {
     out.reason = text("unseen: a view that should show the object does not (log odds %.1f)",
                       out.log_against_unseen);
-  } else if (out.log_against_similar < 0) {
+  } else if (out.log_against_similar < 0 ||
+             out.log_against_chance < kLeastEvidence * out.log_of_all) {
     out.reason =
         text("partial: %.0f %% of the visible edges found, %.0f %% have their edge elsewhere",
              100 * out.found_share, 100 * evidence.displaced_px / out.visible_px);
