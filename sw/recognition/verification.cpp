@@ -110,10 +110,10 @@ std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evide
 }
 
 /// Log odds of "all edges as the model says" against "a fair share of them elsewhere". Of the
-/// poses that come so far, about one agrees in part for one that is right.
+/// poses that come so far, about two agree in part for one that is right.
 double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
   constexpr double kShares[] = {0.2, 0.4, 0.8};
-  constexpr double kPriorOdds = 1;
+  constexpr double kPriorOdds = 2;
   double there = 0;
   for (const PieceEvidence* piece : pieces) there += std::log(likelihood_there(*piece));
   double elsewhere = 0;
@@ -221,7 +221,6 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
     found += answers * piece.found;
     const double missed = 1 - piece.found - piece.weak;
     const double hit = std::log(0.95 / p), miss = std::log(0.05 / (1 - p));
-    out.log_of_all += answers * hit;
     out.log_against_chance += answers * (piece.found * hit + missed * miss) + piece.weak * kLogWeak;
     out.visible_px += piece.length_px;
     out.found_share += piece.length_px * piece.found;
@@ -230,9 +229,25 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
   out.log10_false_alarms = std::log10(tests) + (n > 0 ? log10_tail(n, found / n, p_sum / n) : 0.0);
 }
 
-/// Least share of the evidence of an object all of whose edges are found. A tenth of them weak or
-/// hidden leaves an object 0.6 of it, half of them elsewhere -0.1: midway.
-constexpr double kLeastEvidence = 0.25;
+/// Least share of the evidence of an object all of whose edges are found. One edge missed costs as
+/// much as two found ones give: a tenth of them weak or hidden leaves 0.7, a further fifth of them
+/// elsewhere 0.1. Midway.
+constexpr double kLeastEvidence = 0.4;
+
+/// The share that the pieces give of the evidence that they would give if all were found.
+double evidence_share(const std::vector<SpreadMap>& chance,
+                      const std::vector<const PieceEvidence*>& pieces) {
+  double all = 0, got = 0;
+  for (const PieceEvidence* piece : pieces) {
+    const double p =
+        chance[piece->view].found[ContourField::bin_of(piece->normal.x(), piece->normal.y())];
+    const double answers = std::min(piece->points * kEvidenceStepPx / kIndependentPx, kAnswers);
+    const double hit = std::log(0.95 / p), miss = std::log(0.05 / (1 - p));
+    all += answers * hit;
+    got += answers * (piece->found * hit + (1 - piece->found - piece->weak) * miss);
+  }
+  return got / std::max(all, 1e-9);
+}
 
 std::string text(const char* format, double a, double b = 0) {
   char buffer[160];
@@ -249,6 +264,7 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
   judge_chance(chance, evidence, options.tests, out);
   const auto pieces = independent_pieces(evidence, *objects[index].model);
   out.log_against_similar = log_against_similar(pieces);
+  out.evidence_share = evidence_share(chance, pieces);
   out.log_against_unseen = log_against_unseen(pieces, static_cast<int>(views.size()));
   const Model& model = *objects[index].model;
   const auto surfaces = static_cast<double>(model.surfaces.size());
@@ -269,8 +285,7 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
   } else if (out.log_against_unseen < 0) {
     out.reason = text("unseen: a view that should show the object does not (log odds %.1f)",
                       out.log_against_unseen);
-  } else if (out.log_against_similar < 0 ||
-             out.log_against_chance < kLeastEvidence * out.log_of_all) {
+  } else if (out.log_against_similar < 0 || out.evidence_share < kLeastEvidence) {
     out.reason =
         text("partial: %.0f %% of the visible edges found, %.0f %% have their edge elsewhere",
              100 * out.found_share, 100 * evidence.displaced_px / out.visible_px);

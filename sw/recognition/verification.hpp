@@ -23,8 +23,9 @@ struct Verdict {
   double log10_false_alarms = 0;
   /// Log likelihood ratio of the evidence, object against chance: ranks explanations.
   double log_against_chance = 0;
-  /// That of an object all of whose edges are found.
-  double log_of_all = 0;
+  /// Its share of what an object gives all of whose edges are found; edges that one lack of
+  /// contrast hides count once.
+  double evidence_share = 0;
   /// Log odds "the model as it is" against "something that shares only part of its edges".
   double log_against_similar = 0;
   /// Log odds "there" against "a view that should show the object does not", worst view.
