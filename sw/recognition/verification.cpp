@@ -230,9 +230,9 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
 }
 
 /// Least share of the evidence of an object all of whose edges are found. One edge missed costs as
-/// much as two found ones give: a tenth of them weak or hidden leaves 0.7, a further fifth of them
-/// elsewhere 0.1. Midway.
-constexpr double kLeastEvidence = 0.4;
+/// much as two found ones give: a tenth of them weak or hidden leaves 0.71, a fifth of the rest
+/// elsewhere 0.22. Midway.
+constexpr double kLeastEvidence = 0.46;
 
 /// The share that the pieces give of the evidence that they would give if all were found.
 double evidence_share(const std::vector<SpreadMap>& chance,
