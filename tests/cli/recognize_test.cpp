@@ -60,6 +60,28 @@ TEST_CASE("recognize --json prints one document with every section") {
   CHECK((run.exit_code == 1) == report.at("objects").empty());
 }
 
+TEST_CASE("the report explains each object, each rejection and each stage") {
+  const Run run = run_program("recognize " + kStudioScene + " --models " + kModels + " --json");
+  const json report = json::parse(run.out);
+  REQUIRE(report.at("objects").size() == 2);
+  for (const json& object : report.at("objects")) {
+    CHECK(object.at("covariance").size() == 36);
+    CHECK(object.at("covariance")[0].get<double>() > 0);
+    CHECK(object.at("reprojection_rms_px").get<double>() > 0);
+    CHECK(object.contains("runner_up"));
+    CHECK(object.at("surfaces").size() >= 3);
+    for (const json& match : object.at("surfaces")) {
+      const json& seen = report.at("surfaces").at(match.at("scene_surface").get<std::size_t>());
+      CHECK(seen.at("view") == match.at("view"));
+      CHECK(match.at("found_share").get<double>() <= 1);
+    }
+  }
+  for (const json& rejection : report.at("rejections"))
+    CHECK_FALSE(rejection.at("reason").get<std::string>().empty());
+  REQUIRE(report.at("stages").size() == 4);
+  for (const json& stage : report.at("stages")) CHECK(stage.at("count").get<int>() > 0);
+}
+
 TEST_CASE("a scene that cannot be read is named on one line with exit code 2") {
   const Scratch scratch;
   const std::string scene = empty_scene(scratch);
