@@ -102,7 +102,7 @@ TEST_CASE("a configuration file gives options that the command line leaves out")
   CHECK_THAT(missing.err, Contains("/no/such/file"));
 }
 
-TEST_CASE("--version names the tools") {
+TEST_CASE("the version option names the tools") {
   const std::string text = run_program("--version").out;
   for (const char* tool :
        {"trihedron 0.", "\nOpenCV 4.", "\nAssimp 5.", "\nEigen 3.", "\ncompiler "})
