@@ -9,7 +9,7 @@
 namespace trihedron::sim {
 namespace {
 
-constexpr int kLargeSlope = 80 * kGradientScale;  // of at most 96 grey levels per px
+constexpr int kLargeSlope = 40 * kGradientScale;  // of at most 96 grey levels per px
 constexpr std::array<const char*, 5> kSlopes = {"-large", "-small", "0", "+small", "+large"};
 constexpr std::array<const char*, 4> kFlags = {"none", "second only", "first only", "both"};
 constexpr std::array<const char*, 5> kMagnitudes = {"0", "below noise floor", "lower half",
@@ -53,7 +53,10 @@ void FunctionalCoverage::sample(const FrameResult& frame) {
     }
   }
   for (const Vertex& vertex : frame.features.vertices) {
-    add("vertex branches", vertex.branches >= 5 ? "5 or more" : std::to_string(vertex.branches));
+    add("vertex branches", std::to_string(vertex.branches));
+    add("vertex strength", vertex.strength <= 35   ? "21 .. 35"
+                           : vertex.strength <= 49 ? "36 .. 49"
+                                                   : "50 .. 64");
     add("vertex pattern: first branch", std::to_string(vertex.pattern / 16));
     add("vertex pattern: last branch", std::to_string(vertex.pattern % 16));
   }

@@ -95,7 +95,7 @@ std::string size_change(const GreyImage& before, const GreyImage& now) {
 }  // namespace
 
 FunctionalCoverage::FunctionalCoverage() {
-  const std::array<std::pair<const char*, Names>, 24> declared = {{
+  const std::array<std::pair<const char*, Names>, 25> declared = {{
       {"frames per view", both(numbers(1, 5), {"more than 256"})},
       {"size x content", cross(kLegalSizes, kContents)},
       {"size x contour stalls", cross(kLegalSizes, kStalls)},
@@ -120,12 +120,18 @@ FunctionalCoverage::FunctionalCoverage() {
       {"contour flags", {"none", "second only", "first only", "both"}},
       {"magnitude", {"0", "below noise floor", "lower half", "upper half", "saturated"}},
       {"gx x gy", cross(kSlopes, kSlopes)},
-      {"vertex branches", {"2", "3", "4", "5 or more"}},
+      {"vertex branches", numbers(0, 8)},
+      {"vertex strength", {"21 .. 35", "36 .. 49", "50 .. 64"}},
       {"vertex pattern: first branch", numbers(0, 15)},
       {"vertex pattern: last branch", numbers(0, 15)},
   }};
   for (const auto& [group, bins] : declared) {
     for (const std::string& bin : bins) groups_[group][bin] = 0;
+  }
+  // FRAME_HEIGHT has no value below 5 and none above the largest height.
+  for (const char* impossible :
+       {"too low | right", "too low | too low", "too tall | right", "too tall | too high"}) {
+    groups_["fault x FRAME_HEIGHT"].erase(impossible);
   }
 }
 

@@ -98,9 +98,10 @@ void add_fault(SourceFrame& frame, Random& random) {
   }
   // Sizes that are not legal.
   const int choice = kind - kFaults;
-  if (choice == 0) image = make_image(Pattern::kNoise, random.between(1, 4), 6, random, {});
+  const int height = random.between(kMinSizePx, 9);
+  if (choice == 0) image = make_image(Pattern::kNoise, random.between(1, 4), height, random, {});
   if (choice == 1) {
-    image = make_image(Pattern::kNoise, kMaxWidthPx + random.between(1, 3), 5, random, {});
+    image = make_image(Pattern::kNoise, kMaxWidthPx + random.between(1, 3), height, random, {});
   }
   if (choice == 2) image = make_image(Pattern::kNoise, 8, random.between(1, 4), random, {});
   if (choice == 3) {

@@ -201,8 +201,8 @@ void Scoreboard::retire() {
     statistics_.latency_clocks = std::max(statistics_.latency_clocks, frame.latency_clocks);
     compared_.frames += setup_.check;
     sink_({setup_.view, retired_, std::move(frame.got), frame.status, frame.latency_clocks,
-           frame.last_clock - frame.start_clock + 1,
-           pins_.input_stalls(frame.expected.start_index), frame.contour_stalls});
+           frame.last_clock - frame.start_clock + 1, pins_.input_stalls(frame.expected.start_index),
+           frame.contour_stalls});
     ++retired_;
     frames_.pop_front();
   }
