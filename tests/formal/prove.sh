@@ -61,11 +61,14 @@ proved() {
   fi
 }
 
-# refuted FILE: true when there is a counterexample.
+# refuted FILE: true when there is a counterexample, near (BMC) or far (PDR).
 refuted() {
   aiger "$1"
-  yosys-abc -q "read_aiger $work/$top.aig; fold; strash; scorr; orpos; bmc3 -F 100 -T 300" 2>&1 |
-    grep -q "was asserted"
+  for search in "bmc3 -F 100 -T 20" "pdr -T 300"; do
+    yosys-abc -q "read_aiger $work/$top.aig; fold; strash; scorr; orpos; $search" 2>&1 |
+      grep -q "was asserted" && return 0
+  done
+  return 1
 }
 
 for proof in ${*:-$all}; do
