@@ -31,7 +31,7 @@ for node in "$@"; do
     hierarchy -top view_pipeline
     blackbox *line_memory*
     synth -flatten -top view_pipeline
-    expose -evert
+    expose -evert t:*line_memory*
     dfflibmap -liberty $library
     abc -liberty $library -constr $name.constr -D $(awk "BEGIN { print $period * 800 }")
     splitnets -ports
