@@ -10,6 +10,7 @@
 #include "bench/scenes.hpp"
 #include "io/library.hpp"
 #include "io/views.hpp"
+#include "recognition/recognizer.hpp"
 
 namespace trihedron::bench {
 namespace {
@@ -38,12 +39,12 @@ std::vector<Model> grown(const std::vector<Model>& library, std::size_t count) {
 
 /// A timed run; its counters say how the stages share the time, in %, and what was found.
 void run_recognition(benchmark::State& state, const std::vector<View>& views,
-                     const std::vector<Model>& library) {
+                     const Recognizer& recognizer) {
   std::map<std::string, double> seconds;
   double sum = 0;
   std::size_t objects = 0;
   for (auto _ : state) {
-    const RecognitionResult result = recognize(views, library);
+    const RecognitionResult result = recognizer.recognize(views);
     objects = result.objects.size();
     for (const StageStatistics& stage : result.stages) {
       seconds[stage.stage] += stage.seconds;
@@ -66,16 +67,19 @@ int main(int argc, char** argv) {
   const std::vector<trihedron::Model> library = trihedron::read_library(models_folder());
   const std::map<std::size_t, std::vector<trihedron::Model>> libraries = {
       {10, library}, {100, grown(library, 100)}, {1000, grown(library, 1000)}};
+  std::map<std::size_t, trihedron::Recognizer> recognizers;  // the libraries are indexed once
+  for (const auto& [count, models] : libraries) recognizers.try_emplace(count, models);
   std::map<std::string, std::vector<trihedron::View>> scenes;
   for (const char* kind : {"cad-isolated", "studio-two", "lab-stacked", "lab-hd"}) {
     scenes[kind] = make_views(scene_of_kind(kind), trihedron::golden_front_end());
   }
   std::vector<Ratio> ratios;
   for (const auto& [kind, views] : scenes) {
-    for (const auto& [count, models] : libraries) {
-      benchmark::RegisterBenchmark(name_of(kind, count).c_str(), [&views = views, &models = models](
+    for (const auto& [count, recognizer] : recognizers) {
+      benchmark::RegisterBenchmark(name_of(kind, count).c_str(), [&views = views,
+                                                                  &recognizer = recognizer](
                                                                      benchmark::State& state) {
-        run_recognition(state, views, models);
+        run_recognition(state, views, recognizer);
       })->Unit(benchmark::kMillisecond);
       if (count == 10) continue;
       ratios.push_back({fmt::format("{} / 10 models, {}", count, kind), name_of(kind, count),

@@ -39,6 +39,7 @@ void check_writable(const std::string& csv) {
 std::optional<std::vector<SceneOutcome>> process(const Arguments& arguments,
                                                  const std::vector<fs::path>& scenes,
                                                  const std::vector<Model>& library) {
+  const Recognizer recognizer(library);
   FrontEnd front_end;  // made in the worker: a simulation lives in one process
   report::HardwareActivity activity;
   const SceneRequest request{arguments.recognition,
@@ -47,7 +48,7 @@ std::optional<std::vector<SceneOutcome>> process(const Arguments& arguments,
                              {!arguments.report.empty(), arguments.report_scenes}};
   const auto work = [&](std::size_t i) {
     if (!front_end) front_end = arguments.recognition.make_front_end(&activity);
-    return to_text(process_scene(scenes[i], front_end, activity, library, request));
+    return to_text(process_scene(scenes[i], front_end, activity, recognizer, request));
   };
   const auto texts = run_sharded(scenes.size(), arguments.jobs, "scenes", arguments.shard, work);
   if (!texts) return std::nullopt;

@@ -86,15 +86,15 @@ std::string paper_tables(const std::string& scene, const PaperTrace& trace,
 }
 
 RecognitionResult recognize_with_tables(const std::string& scene, const std::vector<View>& views,
-                                        const std::vector<Model>& library,
+                                        const Recognizer& recognizer,
                                         const RecognitionOptions& options, std::string* tables) {
-  if (!tables) return recognize(views, library, options);
+  if (!tables) return recognizer.recognize(views, options);
   if (options.method != Method::kPaper) {
     throw Error("--tables: only method paper has them; expected --method paper");
   }
   PaperTrace trace;
-  const RecognitionResult result = recognize_paper(views, library, options, &trace);
-  *tables = paper_tables(scene, trace, library);
+  const RecognitionResult result = recognize_paper(views, recognizer.library(), options, &trace);
+  *tables = paper_tables(scene, trace, recognizer.library());
   return result;
 }
 

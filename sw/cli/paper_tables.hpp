@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "recognition/paper.hpp"
+#include "recognition/recognizer.hpp"
 
 namespace trihedron::cli {
 
@@ -16,7 +17,7 @@ std::string paper_tables(const std::string& scene, const PaperTrace& trace,
 
 /// recognize(); with `tables` (method paper only, else Error) it also stores paper_tables there.
 RecognitionResult recognize_with_tables(const std::string& scene, const std::vector<View>& views,
-                                        const std::vector<Model>& library,
+                                        const Recognizer& recognizer,
                                         const RecognitionOptions& options, std::string* tables);
 
 }  // namespace trihedron::cli

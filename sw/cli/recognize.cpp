@@ -96,8 +96,9 @@ int run_scene(const Arguments& arguments) {
   const std::vector<View> views = make_views(scene, options.make_front_end(&activity));
   const auto start = std::chrono::steady_clock::now();
   std::string tables;
-  const RecognitionResult result = recognize_with_tables(
-      scene.name, views, library, options.options(), arguments.tables ? &tables : nullptr);
+  const RecognitionResult result =
+      recognize_with_tables(scene.name, views, Recognizer(library), options.options(),
+                            arguments.tables ? &tables : nullptr);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const std::string json = report_json(scene, result, library).dump(1) + "\n";
   write_files(arguments,

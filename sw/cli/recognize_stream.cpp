@@ -13,6 +13,7 @@
 #include "io/line_file.hpp"
 #include "io/report_json.hpp"
 #include "io/view_streams.hpp"
+#include "recognition/recognizer.hpp"
 
 namespace trihedron::cli {
 namespace {
@@ -25,6 +26,7 @@ class StreamJob {
             const std::string& out, bool quiet)
       : streams_(arguments.cameras, arguments.sources),
         library_(recognition.library(arguments.cameras)),
+        recognizer_(library_),
         front_end_(recognition.make_front_end()),
         options_(recognition.options()),
         limit_(arguments.limit),
@@ -60,7 +62,8 @@ class StreamJob {
   Json line_of(int frame) {
     try {
       const Scene scene = streams_.frame();
-      const RecognitionResult result = recognize(make_views(scene, front_end_), library_, options_);
+      const RecognitionResult result =
+          recognizer_.recognize(make_views(scene, front_end_), options_);
       const Json report = report_json(scene, result, library_);
       any_found_ = any_found_ || !result.objects.empty();
       return {{"frame", frame},
@@ -83,6 +86,7 @@ class StreamJob {
 
   ViewStreams streams_;
   std::vector<Model> library_;
+  Recognizer recognizer_;
   FrontEnd front_end_;
   RecognitionOptions options_;
   int limit_;

@@ -54,8 +54,9 @@ std::string report_text(const report::RecognizedScene& recognized, const ReportR
 }  // namespace
 
 SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& front_end,
-                           const report::HardwareActivity& activity,
-                           const std::vector<Model>& library, const SceneRequest& request) {
+                           const report::HardwareActivity& activity, const Recognizer& recognizer,
+                           const SceneRequest& request) {
+  const std::vector<Model>& library = recognizer.library();
   const Scene scene = read_scene(folder);
   SceneOutcome outcome;
   outcome.kind = scene.kind.empty() ? "scenes" : scene.kind;
@@ -70,7 +71,7 @@ SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& 
                      views[v].features);
   start = Clock::now();
   const RecognitionResult result =
-      recognize_with_tables(scene.name, views, library, request.recognition.options(),
+      recognize_with_tables(scene.name, views, recognizer, request.recognition.options(),
                             request.tables ? &outcome.tables : nullptr);
   outcome.rows = result_rows(scene, result, seconds_since(start));
   outcome.stages.insert(outcome.stages.end(), result.stages.begin(), result.stages.end());

@@ -8,6 +8,7 @@
 #include "cli/recognition_options.hpp"
 #include "io/bop_results.hpp"
 #include "recognition/evaluation.hpp"
+#include "recognition/recognizer.hpp"
 
 namespace trihedron::cli {
 
@@ -38,8 +39,8 @@ struct SceneRequest {
 
 /// Reads and recognises a scene. `activity` is where `front_end` stores what it counts.
 SceneOutcome process_scene(const std::filesystem::path& folder, const FrontEnd& front_end,
-                           const report::HardwareActivity& activity,
-                           const std::vector<Model>& library, const SceneRequest& request);
+                           const report::HardwareActivity& activity, const Recognizer& recognizer,
+                           const SceneRequest& request);
 
 /// An outcome as text and back without loss, to hand it from one process to another.
 std::string to_text(const SceneOutcome& outcome);

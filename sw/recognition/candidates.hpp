@@ -5,6 +5,7 @@
 
 #include "recognition/glance.hpp"
 #include "recognition/hypotheses.hpp"
+#include "recognition/model_facts.hpp"
 #include "recognition/verification.hpp"
 
 namespace trihedron {
@@ -14,6 +15,7 @@ struct SceneInput {
   std::vector<FieldView> views;
   std::vector<SpreadMap> maps;  ///< per view, of all contours
   const std::vector<Model>& library;
+  const ModelFacts& facts;  ///< of the library
   const std::vector<PoseHypothesis>& hypotheses;
 };
 

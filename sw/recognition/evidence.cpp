@@ -56,6 +56,7 @@ void Evidence::visit(const ModelSketch& model, const Transform& pose, int max_sa
     for (const EdgeSketch& e : model.edges) {
       const ViewLanes::Lanes facing =
           lanes.facing(e.left, e.left_offset).max(lanes.facing(e.right, e.right_offset));
+      if (!(facing > 0).any()) continue;
       const ViewLanes::Images p = lanes.project(e.x0), q = lanes.project(e.x1);
       const ViewLanes::Lanes dx = q.x - p.x, dy = q.y - p.y, length = (dx * dx + dy * dy).sqrt();
       const ViewLanes::Lanes depth = p.depth.min(q.depth);
@@ -90,7 +91,7 @@ bool Evidence::hopeless(const ModelSketch& model, const Transform& pose) const {
     sum += s.segment >= 0 ? log_hit_[s.view] : log_miss_[s.view];
     return sum >= -kHopeless;
   });
-  return sum < -kHopeless;
+  return sum <= 0;
 }
 
 void Evidence::refine(const ModelSketch& model, Transform& pose, int max_samples) const {

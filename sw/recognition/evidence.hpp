@@ -36,8 +36,8 @@ class Evidence {
   double score(const ModelSketch& model, const Transform& world_from_model, int max_samples) const;
 
   /// Whether the pose is so unlikely that score() need not be asked: Wald's sequential test on one
-  /// sample per edge and view, stopped once the evidence against the pose is overwhelming. Most
-  /// poses that come from accidental matches end after a dozen samples.
+  /// sample per edge and view, stopped once the evidence against the pose is overwhelming; or all
+  /// of them together speak against it. Most accidental poses end after a dozen samples.
   bool hopeless(const ModelSketch& model, const Transform& world_from_model) const;
 
   /// Moves the pose to reduce the distances of hit samples: one Gauss-Newton step.

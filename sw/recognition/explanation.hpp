@@ -23,6 +23,10 @@ struct Explanation {
 /// in front of it, none in another's place, none where two different answers are equally good.
 /// Deterministic.
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
+                    const ModelFacts& facts, const std::vector<PoseHypothesis>& hypotheses,
+                    const ExplanationOptions& options = {});
+/// The same with facts of its own.
+Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const std::vector<PoseHypothesis>& hypotheses,
                     const ExplanationOptions& options = {});
 

@@ -54,30 +54,49 @@ std::vector<Neighbour> neighbours(const std::vector<ViewLines>& views, const Spa
   return out;
 }
 
-/// Rotations that turn `along` onto `direction` and `aside` into a plane of the normal n; for
-/// each, where `aside` comes to lie.
-template <typename Visitor>
-void rotations(const ModelCorner& c, const Vector3d& direction, const Vector3d& n,
-               Visitor&& visitor) {
-  const Vector3d u = direction.unitOrthogonal(), w = direction.cross(u);
-  const double sine = std::sin(c.angle), cosine = std::cos(c.angle);
-  const double a = n.dot(u), b = n.dot(w), rho = std::sqrt(a * a + b * b);
-  // The plane turns with the edge: every roll would do.
-  constexpr double kMinTilt = 0.05;
-  if (rho < kMinTilt) return;
-  const double q = -cosine / sine * n.dot(direction) / rho;
-  constexpr double kGrazing = 1.02;  // a plane that the second edge misses by a few degrees
-  if (std::abs(q) > kGrazing) return;
-  const double middle = std::atan2(b, a), half = std::acos(std::clamp(q, -1.0, 1.0));
-  const Vector3d model_u = (c.aside - cosine * c.along) / sine;
-  Matrix3d model_frame, frame;
-  model_frame << c.along, model_u, c.along.cross(model_u);
-  for (const double phi : {middle + half, middle - half}) {
-    const Vector3d side = std::cos(phi) * u + std::sin(phi) * w;
-    frame << direction, side, direction.cross(side);
-    visitor(Matrix3d(frame * model_frame.transpose()), Vector3d(cosine * direction + sine * side));
+/// Rotations that turn a corner's first edge onto a direction and its second one into a plane: what
+/// all corners share of them. Thousands of corners are tried on one direction and plane, so no
+/// trigonometric function is called for any of them.
+class Rotations {
+ public:
+  /// `direction` and the plane's normal `n` have unit length.
+  Rotations(const Vector3d& direction, const Vector3d& n)
+      : direction_(direction), u_(direction.unitOrthogonal()), w_(direction.cross(u_)) {
+    const double a = n.dot(u_), b = n.dot(w_), rho = std::sqrt(a * a + b * b);
+    // The plane turns with the edge: every roll would do.
+    constexpr double kMinTilt = 0.05;
+    possible_ = rho >= kMinTilt;
+    middle_ = Vector2d(a, b) / rho;
+    lean_ = n.dot(direction) / rho;
   }
-}
+
+  /// Calls the visitor with each rotation and where the second edge comes to lie.
+  template <typename Visitor>
+  void of(const ModelCorner& c, Visitor&& visitor) const {
+    const double cosine = c.along.dot(c.aside), sine = std::sqrt(1 - cosine * cosine);
+    const double q = -cosine / sine * lean_;
+    constexpr double kGrazing = 1.02;  // a plane that the second edge misses by a few degrees
+    if (!possible_ || !(std::abs(q) <= kGrazing)) return;
+    // Roll angles middle +- half, by their cosines and sines.
+    const double cos_half = std::clamp(q, -1.0, 1.0), sin_half = std::sqrt(1 - cos_half * cos_half);
+    const Vector3d model_u = (c.aside - cosine * c.along) / sine;
+    Matrix3d model_frame, frame;
+    model_frame << c.along, model_u, c.along.cross(model_u);
+    for (const double s : {sin_half, -sin_half}) {
+      const Vector3d side = (middle_.x() * cos_half - middle_.y() * s) * u_ +
+                            (middle_.y() * cos_half + middle_.x() * s) * w_;
+      frame << direction_, side, direction_.cross(side);
+      visitor(Matrix3d(frame * model_frame.transpose()),
+              Vector3d(cosine * direction_ + sine * side));
+    }
+  }
+
+ private:
+  Vector3d direction_, u_, w_;  ///< right-handed
+  bool possible_;
+  Vector2d middle_;  ///< cosine and sine of the roll at which the plane's normal points sideways
+  double lean_ = 0;  ///< of the direction out of the plane
+};
 
 class Search {
  public:
@@ -169,8 +188,9 @@ class Search {
     const IdealView& view = views_[static_cast<std::size_t>(n.view)].ideal;
     const Vector2d p = view.project(x);
     const double tolerance = options_.length_tolerance_px * e.end_mm_per_px;
+    const Rotations rotations(direction, n.plane.normal);
     for (const ModelCorner& c : index_.by_length(e.length - tolerance, e.length + tolerance)) {
-      rotations(c, direction, n.plane.normal, [&](const Matrix3d& R, const Vector3d& aside) {
+      rotations.of(c, [&](const Matrix3d& R, const Vector3d& aside) {
         if (!n.through) {
           const Vector2d seen = view.project(x + c.aside_length * aside) - p;
           if (seen.dot(n.leaving) < n.extent - options_.length_tolerance_px) return;

@@ -95,7 +95,7 @@ const std::vector<PoseHypothesis>& PosePool::settle() {
   merge(fresh_, kSameBefore);
   for (PoseHypothesis& h : fresh_) {
     const ModelSketch& sketch = index_.sketch(h.model);
-    for (int k = 0; k < 2; ++k) evidence_.refine(sketch, h.world_from_model, 4);
+    for (const int samples : {2, 4}) evidence_.refine(sketch, h.world_from_model, samples);
     h.support = evidence_.score(sketch, h.world_from_model, 8);
   }
   settled_.insert(settled_.end(), fresh_.begin(), fresh_.end());

@@ -8,19 +8,29 @@
 #include "recognition/explanation.hpp"
 #include "recognition/paper.hpp"
 #include "recognition/pose_search.hpp"
+#include "recognition/recognizer.hpp"
 #include "recognition/view_check.hpp"
 
 namespace trihedron {
-namespace {
 
-RecognitionResult recognize_full(const std::vector<View>& views,
-                                 const std::vector<Model>& library) {
-  const LibraryIndex index(library);
-  const PoseSearch search = search_poses(views, library, index);
+Recognizer::Recognizer(const std::vector<Model>& library)
+    : library_(library), index_(library), facts_(library) {
+  if (library.empty()) throw Error("the model library is empty: nothing can be recognised");
+}
+
+RecognitionResult Recognizer::recognize(const std::vector<View>& views,
+                                        const RecognitionOptions& options) const {
+  check_views(views);
+  if (options.method == Method::kPaper) return recognize_paper(views, library_, options);
+  return recognize_full(views);
+}
+
+RecognitionResult Recognizer::recognize_full(const std::vector<View>& views) const {
+  const PoseSearch search = search_poses(views, library_, index_);
   RecognitionResult result;
   result.stages = search.stages;
   const auto start = std::chrono::steady_clock::now();
-  Explanation explanation = explain(views, library, search.hypotheses);
+  Explanation explanation = explain(views, library_, facts_, search.hypotheses);
   result.objects = std::move(explanation.objects);
   result.rejections = std::move(explanation.rejections);
   result.surfaces = std::move(explanation.surfaces);
@@ -29,14 +39,9 @@ RecognitionResult recognize_full(const std::vector<View>& views,
   return result;
 }
 
-}  // namespace
-
 RecognitionResult recognize(const std::vector<View>& views, const std::vector<Model>& library,
                             const RecognitionOptions& options) {
-  check_views(views);
-  if (library.empty()) throw Error("the model library is empty: nothing can be recognised");
-  if (options.method == Method::kPaper) return recognize_paper(views, library, options);
-  return recognize_full(views, library);
+  return Recognizer(library).recognize(views, options);
 }
 
 }  // namespace trihedron

@@ -76,7 +76,8 @@ struct RecognitionResult {
   std::vector<StageStatistics> stages;
 };
 
-/// Finds the library's models in the views. Deterministic: same input, same output.
+/// Finds the library's models in the views. Deterministic: same input, same output. For many scenes
+/// use a Recognizer (recognizer.hpp), which prepares the library once.
 /// Throws Error when there are fewer than two views or a view's features and camera differ in
 /// size.
 RecognitionResult recognize(const std::vector<View>& views, const std::vector<Model>& library,

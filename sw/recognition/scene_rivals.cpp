@@ -28,12 +28,6 @@ int SceneSearch::runner_up(int active) const {
   return found == runner_up_.end() ? -1 : found->second;
 }
 
-const Lookalikes& SceneSearch::lookalikes(int model) {
-  const auto found = lookalikes_.find(model);
-  if (found != lookalikes_.end()) return found->second;
-  return lookalikes_[model] = find_lookalikes(input_.library[model]);
-}
-
 /// How well a pose agrees with all contours, no hidden lines removed.
 double SceneSearch::at_a_glance(const Model& model, const Transform& pose) const {
   return all_contours_.score(glance_points(input_.views, model, pose));
@@ -73,7 +67,7 @@ void SceneSearch::add_turned(int winner) {
   const PlacedModel place = placed(winner);
   const double own = at_a_glance(*place.model, place.world_from_model);
   const int model = candidates_[winner].model;
-  for (const Transform& turn : lookalikes(model).turned) {
+  for (const Transform& turn : input_.facts.lookalikes(model).turned) {
     const Transform pose = place.world_from_model * turn;
     if (at_a_glance(*place.model, pose) < kRivalShare * own) continue;
     add(make_candidate(input_, model, pose, kLookalikeReachesMm));
@@ -83,7 +77,7 @@ void SceneSearch::add_turned(int winner) {
 /// Whether the mirror image in the winner's place would explain the scene as well: then nothing
 /// that was seen tells which of the two it is.
 bool SceneSearch::mirrored_as_good(int winner) {
-  const Lookalikes& alike = lookalikes(candidates_[winner].model);
+  const Lookalikes& alike = input_.facts.lookalikes(candidates_[winner].model);
   if (!alike.mirrored) return false;
   const PlacedModel place = placed(winner);
   const double own = at_a_glance(*place.model, place.world_from_model);

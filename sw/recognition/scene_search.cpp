@@ -8,8 +8,6 @@
 namespace trihedron {
 namespace {
 
-/// Solids of verified poses penetrate each other by less, mm: the poses' errors.
-constexpr double kPenetrationMm = 2.0;
 /// A candidate may stand in for an occluder once so much of it is found, before it is accepted.
 constexpr double kTentativeShare = 0.35;
 /// Expected false alarms of a candidate that may be tried at all, as log10.
@@ -38,12 +36,6 @@ void SceneSearch::run() {
 
 PlacedModel SceneSearch::placed(int i) const {
   return {&input_.library[candidates_[i].model], candidates_[i].pose.world_from_model};
-}
-
-const InnerPoints& SceneSearch::inner(int model) {
-  const auto found = inner_.find(model);
-  if (found != inner_.end()) return found->second;
-  return inner_[model] = inner_points(input_.library[model], kPenetrationMm);
 }
 
 bool SceneSearch::in_conflict(int a, int b) {

@@ -37,8 +37,7 @@ class SceneSearch {
 
  private:
   PlacedModel placed(int i) const;
-  const InnerPoints& inner(int model);
-  const Lookalikes& lookalikes(int model);
+  const InnerPoints& inner(int model) const { return input_.facts.inner(model); }
   bool in_conflict(int a, int b);
   bool known(const Candidate& candidate) const;
   void reject(int i, const std::string& reason);
@@ -73,8 +72,6 @@ class SceneSearch {
   std::vector<char> tried_;                    ///< hypotheses
   std::map<int, std::vector<int>> judged_in_;  ///< the neighbours an object was last judged with
   std::map<int, int> runner_up_;
-  std::map<int, InnerPoints> inner_;
-  std::map<int, Lookalikes> lookalikes_;
 };
 
 }  // namespace trihedron

@@ -4,54 +4,59 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 #include "golden/gradient.hpp"
 
 namespace trihedron {
 namespace {
 
-/// 16-bit words of a beat: gx, gy, and two that go along unused, because additions of whole rows
-/// of words vectorise and picking words out does not.
-constexpr std::size_t kWords = sizeof(ContourBeat) / sizeof(std::int16_t);
-static_assert(kWords == 4);
-static_assert(golden::kSlopeBits + 4 <= 16, "sums of sixteen slopes fit a word");
+/// gx and gy of the pixels of a row in turn, 16 bits each: sums of whole rows take eight of them
+/// at a time.
+using Slopes = std::vector<std::int16_t>;
+static_assert(golden::kSlopeBits + 4 <= 16, "sums of sixteen slopes fit 16 bits");
 
-using Words = std::vector<std::int16_t>;
+void read_row(const ViewFeatures& f, int y, Slopes& out) {
+  const auto width = static_cast<std::size_t>(f.width);
+  out.resize(2 * width);
+  const ContourBeat* beats = &f.at(0, y);
+  std::int16_t* to = out.data();  // as a plain pointer, or the loop does not vectorise
+  for (std::size_t x = 0; x < width; ++x) {
+    to[2 * x] = beats[x].gx;
+    to[2 * x + 1] = beats[x].gy;
+  }
+}
 
-/// out = a + 2 b + c.
+/// out = a + 2 b + c; `out` is none of them.
 void binomial(const std::int16_t* a, const std::int16_t* b, const std::int16_t* c, std::size_t n,
               std::int16_t* out) {
   for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<std::int16_t>(a[i] + 2 * b[i] + c[i]);
-}
-
-/// The words of row y.
-void read_row(const ViewFeatures& f, int y, Words& words) {
-  words.resize(static_cast<std::size_t>(f.width) * kWords);
-  std::memcpy(words.data(), &f.at(0, y), words.size() * sizeof(std::int16_t));
 }
 
 }  // namespace
 
 void smooth_row(const ViewFeatures& f, int y, SmoothRow& row) {
   const auto width = static_cast<std::size_t>(f.width);
-  for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->assign(width, 0.0F);
-  if (y < 1 || y + 1 >= f.height || width < 3) return;
-  thread_local Words up, mid, down, sums;
+  for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->resize(width);
+  if (y < 1 || y + 1 >= f.height || width < 3) {
+    for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->assign(width, 0.0F);
+    return;
+  }
+  for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->front() = plane->back() = 0;
+  thread_local Slopes up, mid, down, sums;
   read_row(f, y - 1, up);
   read_row(f, y, mid);
   read_row(f, y + 1, down);
   sums.resize(mid.size());
   binomial(up.data(), mid.data(), down.data(), mid.size(), sums.data());
-  binomial(sums.data(), sums.data() + kWords, sums.data() + 2 * kWords, sums.size() - 2 * kWords,
-           mid.data());
+  binomial(sums.data(), sums.data() + 2, sums.data() + 4, sums.size() - 4, mid.data());
   constexpr float kWeight = 1.0F / 16;
+  const std::int16_t* smooth = mid.data();
   float* gx = row.gx.data() + 1;
   float* gy = row.gy.data() + 1;
   float* magnitude = row.magnitude.data() + 1;
   for (std::size_t x = 0; x + 2 < width; ++x) {
-    gx[x] = kWeight * static_cast<float>(mid[kWords * x]);
-    gy[x] = kWeight * static_cast<float>(mid[kWords * x + 1]);
+    gx[x] = kWeight * static_cast<float>(smooth[2 * x]);
+    gy[x] = kWeight * static_cast<float>(smooth[2 * x + 1]);
   }
   for (std::size_t x = 0; x + 2 < width; ++x) {
     magnitude[x] = std::sqrt(gx[x] * gx[x] + gy[x] * gy[x]);
