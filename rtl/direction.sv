@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stage 4 keeps of a pixel: class of its magnitude and sector of its gradient.
+// What stage 4 keeps of a pixel: class of its magnitude and sector of its gradient's direction.
 //
 //   class   0 below floor, 1 below 3/2 of it, 2 below 5/2, 3 above
-//   sector  0 .. 63, 1/64 turn each, from the direction of x towards that of y; within an octant
-//           the thresholds t of 6 13 19 27 34 43 53, 64 tan(k 5.625 deg), that
+//   sector  modulo a half turn, 0 .. 31, 1/64 turn each, from the direction of x towards that of y;
+//           within an octant the thresholds t of 6 13 19 27 34 43 53, 64 tan(k 5.625 deg), that
 //           64 min(|gx|, |gy|) >= t max(|gx|, |gy|) reaches
 //
 //   branch_floor_i  threshold, 1 ..
@@ -20,7 +20,7 @@ module direction #(
     input  logic                       valid_i,
     input  logic [3*FractionBits+21:0] data_i,
     output logic                       valid_o,
-    output logic [                7:0] data_o
+    output logic [                6:0] data_o
 );
   if (FractionBits < 0 || FractionBits > 6) begin : gen_illegal
     illegal_FractionBits_must_be_0_to_6 stop ();
@@ -34,20 +34,18 @@ module direction #(
   logic [M-1:0] magnitude;
   assign {magnitude, gy, gx} = data_i;
 
-  // Clock 1: quadrants start on the axes x, y, -x, -y and each holds its own axis.
+  // Clock 1: quadrants start on the axes x, y, -x, -y and each holds its own axis; those of y are
+  // odd, and opposite ones are one.
   logic [A-1:0] ax_q, ay_q;
-  logic [1:0] quadrant_q;
-  logic x_pos, x_neg, y_pos, y_neg;
+  logic odd_q, x_pos, x_neg, y_pos, y_neg;
   assign x_neg = gx[S-1];
   assign y_neg = gy[S-1];
   assign x_pos = !x_neg && gx != '0;
   assign y_pos = !y_neg && gy != '0;
   always_ff @(posedge clk_i) begin
-    ax_q <= x_neg ? A'(-gx) : gx[A-1:0];
-    ay_q <= y_neg ? A'(-gy) : gy[A-1:0];
-    if (y_pos) quadrant_q <= x_pos ? 2'd0 : 2'd1;
-    else if (y_neg) quadrant_q <= x_neg ? 2'd2 : 2'd3;
-    else quadrant_q <= x_neg ? 2'd2 : 2'd0;
+    ax_q  <= x_neg ? A'(-gx) : gx[A-1:0];
+    ay_q  <= y_neg ? A'(-gy) : gy[A-1:0];
+    odd_q <= y_pos ? !x_pos : y_neg && !x_neg;
   end
 
   // Clock 2: smaller and larger component; lower: in the octant at the quadrant's own axis.
@@ -61,7 +59,7 @@ module direction #(
   always_ff @(posedge clk_i) begin
     minor2_q <= y_larger ? ax_q : ay_q;
     major2_q <= y_larger ? ay_q : ax_q;
-    lower2_q <= quadrant_q[0] ? !x_larger : !y_larger;
+    lower2_q <= odd_q ? !x_larger : !y_larger;
   end
 
   // Clocks 3-5: thresholds times the larger component, comparisons.
@@ -116,26 +114,25 @@ module direction #(
   end
 
   // Clock 6: thresholds reached are the lowest of the seven; upper octants count backwards.
-  logic [1:0] quadrant_late;
-  logic lower_late;
+  logic odd_late, lower_late;
   logic [2:0] step;
   always_comb begin
     step = 3'd0;
     for (int k = 0; k < 7; k++) if (reached_q[k]) step = 3'(k + 1);
   end
   always_ff @(posedge clk_i) begin
-    data_o <= class_late == 2'd0 ? 8'd0
-        : {class_late, quadrant_late, !lower_late, lower_late ? step : ~step};
+    data_o <= class_late == 2'd0 ? 7'd0
+        : {class_late, odd_late, !lower_late, lower_late ? step : ~step};
   end
 
   delay_line #(
-      .Width (2),
+      .Width (1),
       .Clocks(4)
-  ) i_quadrant (
+  ) i_odd (
       .clk_i,
       .rst_ni,
-      .data_i(quadrant_q),
-      .data_o(quadrant_late)
+      .data_i(odd_q),
+      .data_o(odd_late)
   );
   delay_line #(
       .Width (3),

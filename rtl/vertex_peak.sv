@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stage 4, second window: the vertices, where the vertex value is the largest of its 5x5 window.
+// Stage 4, second window: the vertices, where the vertex score is at least 21 and the largest of
+// 5x3 pixels.
 //
-// A value must be above those before it in raster order and not below those after it. Per row only
-// the maximum of five columns is kept; a value that leads its own row and the two rows above waits
-// for the two rows below:
+// The score (see vertex_score) must be above those before it in raster order and not below those
+// after it. Per column of the three rows only their maximum is kept, one added where the centre
+// must be above:
 //
-//   h(x, y) = max s(x-2 .. x+2, y)
-//   alive(x, y) = s > s(x-2), s(x-1), h(x, y-1), h(x, y-2) and s >= s(x+1), s(x+2)
-//   vertex(x, y-2) = alive(x, y-2) and h(x, y-2) >= h(x, y-1), h(x, y);  there h is s itself
+//   d = max(score above + 1, score below),  left = max(d, score + 1),  right = max(d, score)
 //
-//   slot in    see slot_tracker; strength_i, above_i see vertex_value
-//   vertex_*   in raster order, coordinates in px; branches and pattern are found once more, from
-//              one bit per pixel, instead of waiting two rows
+//   slot in    see slot_tracker; value_i, above_i see vertex_value
+//   vertex_*   in raster order, at least three columns apart, coordinates in px; branches and
+//              pattern of the branch pixels around the vertex; strength_o the score, 21 .. 64
 //   end_valid_o, end_fault_o   behind the last vertex of a frame; how the frame ended
 //
-// Latency 2 rows + 2 columns + 9 clocks, 1 beat per clock. Border: candidates have strength 0.
+// Latency 3 rows + 4 columns + 8 clocks, 1 beat per clock. Border: values are 0 where the window of
+// vertex_value leaves the frame, so scores fall off towards its border and no vertex lies there.
 module vertex_peak #(
     parameter int MaxWidthPx = 1920
 ) (
@@ -26,167 +26,215 @@ module vertex_peak #(
     input  logic        sof_i,
     input  logic        real_i,
     input  logic [ 1:0] fault_i,
-    input  logic [ 5:0] strength_i,
-    input  logic [ 2:0] above_i,
+    input  logic        value_i,
+    input  logic [ 1:0] above_i,
     output logic        vertex_valid_o,
     output logic [11:0] vertex_x_o,
     output logic [11:0] vertex_y_o,
     output logic [ 3:0] vertex_branches_o,
     output logic [ 7:0] vertex_pattern_o,
-    output logic [ 7:0] vertex_strength_o,
+    output logic [ 6:0] vertex_strength_o,
     output logic        end_valid_o,
     output logic [ 1:0] end_fault_o
 );
   localparam int ColBits = $clog2(MaxWidthPx);
+  localparam logic [6:0] LeastScore = 7'd21;
 
-  // Clocks 1-4: the row.
-  logic [5*6-1:0] s_q;
-  logic [5:0] before_q, after_q, centre2_q, others_q, centre3_q, highest_q;
-  logic leads3_q, leads4_q;
-  always_ff @(posedge clk_i) begin
-    if (valid_i) s_q <= {s_q[23:0], strength_i};
-    before_q  <= s_q[29:24] > s_q[23:18] ? s_q[29:24] : s_q[23:18];
-    after_q   <= s_q[11:6] > s_q[5:0] ? s_q[11:6] : s_q[5:0];
-    centre2_q <= s_q[17:12];
-
-    others_q  <= before_q > after_q ? before_q : after_q;
-    leads3_q  <= centre2_q > before_q && centre2_q >= after_q;
-    centre3_q <= centre2_q;
-
-    highest_q <= leads3_q ? centre3_q : others_q;
-    leads4_q  <= leads3_q;
-  end
-
-  // The tracker runs three clocks behind: the rows above come out of the memory at clock 4.
-  logic valid, sol, sof, is_real, valid_end, in_frame, valid4, is_end;
-  logic [1:0] fault, end_fault;
-  logic [ColBits-1:0] col, col4, col5_q;
-  delay_line #(
-      .Width (6),
-      .Clocks(3)
-  ) i_slot (
-      .clk_i,
-      .rst_ni,
-      .data_i({valid_i, sol_i, sof_i, real_i, fault_i}),
-      .data_o({valid, sol, sof, is_real, fault})
-  );
+  logic valid1, valid2, sol2, sof2, first2, is_end2;
+  logic [1:0] end_fault2;
+  logic [ColBits-1:0] col, col1;
   slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
   ) i_tracker (
       .clk_i,
       .rst_ni,
-      .valid_i(valid),
-      .sol_i(sol),
-      .sof_i(sof),
-      .real_i(is_real),
-      .fault_i(fault),
+      .valid_i,
+      .sol_i,
+      .sof_i,
+      .real_i,
+      .fault_i,
       .col_o(col),
-      .valid1_o(valid4),
-      .col1_o(col4),
-      .valid_o(valid_end),
-      .sol_o(),
+      .valid1_o(valid1),
+      .col1_o(col1),
+      .valid_o(valid2),
+      .sol_o(sol2),
       .eol_o(),
-      .sof_o(),
+      .sof_o(sof2),
       .real_o(),
       .fault_o(),
-      .inside_o(in_frame),
-      .tail_sol_o(),
+      .inside_o(),
+      .tail_sol_o(first2),
       .tail_sof_o(),
       .tail_real_o(),
       .tail_fault_o(),
-      .end_o(is_end),
-      .end_fault_o(end_fault)
+      .end_o(is_end2),
+      .end_fault_o(end_fault2)
   );
 
-  // Clock 5: per column {branch pixel, alive, highest} of the last two rows, older in the low bits.
-  logic [2:0] above4;
-  logic [15:0] rows_q;
-  logic [5:0] highest1, highest2;
-  logic alive1, alive2, above1, above2, vertex_q, valid5_q;
-  delay_line #(
-      .Width (3),
-      .Clocks(4)
-  ) i_above (
-      .clk_i,
-      .rst_ni,
-      .data_i(above_i),
-      .data_o(above4)
-  );
+  // Clock 1: the column's values of seven rows, newest in the high bits, and the branch pixels of
+  // the five rows around the centre. Rows that are no frame's count 0: behind a reset or a change
+  // of width the memory holds something else.
+  logic value1_q;
+  logic [1:0] above1_q;
+  logic [6:0] rows_real_q, values;
+  logic [5:0] older;
+  logic [2:0] older_on;
+  assign values = {value1_q, older & rows_real_q[5:0]};
+  always_ff @(posedge clk_i) begin
+    value1_q <= value_i;
+    above1_q <= above_i;
+    if (!rst_ni) rows_real_q <= '0;
+    else if (valid_i && sol_i) rows_real_q <= {real_i, rows_real_q[6:1]};
+  end
   line_memory #(
-      .Width(16),
+      .Width(9),
       .Depth(MaxWidthPx)
   ) i_rows (
       .clk_i,
-      .wen_i  (valid5_q),
-      .waddr_i(col5_q),
-      .wdata_i(rows_q),
+      .wen_i  (valid1),
+      .waddr_i(col1),
+      .wdata_i({above1_q[0], older_on[2:1], values[6:1]}),
       .raddr_i(col),
-      .rdata_o({above1, alive1, highest1, above2, alive2, highest2})
+      .rdata_o({older_on, older})
   );
-  logic [5:0] strength5_q;
+
+  // Clock 2: the column. Clock 3: scores of the rows above, at and below the centre.
+  logic [6:0] column_q, above3, at3, below3;
+  always_ff @(posedge clk_i) column_q <= values;
+  vertex_score i_above (
+      .clk_i,
+      .valid_i (valid2),
+      .column_i(column_q[4:0]),
+      .score_o (above3)
+  );
+  vertex_score i_at (
+      .clk_i,
+      .valid_i (valid2),
+      .column_i(column_q[5:1]),
+      .score_o (at3)
+  );
+  vertex_score i_below (
+      .clk_i,
+      .valid_i (valid2),
+      .column_i(column_q[6:2]),
+      .score_o (below3)
+  );
+
+  // Clocks 4-7: maxima of each column; of columns from two right of the centre (low bits) to two
+  // left of it.
+  logic [6:0] above_plus1, at_plus1, d4_q, at4_q, d5_q, at5_q, left5_q, right5_q, centre, at7_q;
+  logic [13:0] right6_q;
+  logic [20:0] at6_q, d6_q;
+  logic [34:0] left6_q;
+  logic valid5, valid6, valid7, sol6, sof6, peak7_q;
+  assign above_plus1 = above3 + 7'd1;
+  assign at_plus1 = at4_q + 7'd1;
+  assign centre = at6_q[20:14];
   always_ff @(posedge clk_i) begin
-    valid5_q <= rst_ni && valid4;
-    col5_q   <= col4;
-    rows_q   <= {above4[0], leads4_q && highest_q > highest1 && highest_q > highest2, highest_q,
-                 above1, alive1 && highest1 >= highest_q, highest1};
-    vertex_q    <= alive2 && highest2 >= highest_q;
-    strength5_q <= highest2;
+    d4_q  <= above_plus1 > below3 ? above_plus1 : below3;
+    at4_q <= at3;
+
+    left5_q  <= d4_q > at_plus1 ? d4_q : at_plus1;
+    right5_q <= d4_q > at4_q ? d4_q : at4_q;
+    d5_q     <= d4_q;
+    at5_q    <= at4_q;
+
+    if (valid5) begin
+      right6_q <= {right6_q[6:0], right5_q};
+      at6_q    <= {at6_q[13:0], at5_q};
+      d6_q     <= {d6_q[13:0], d5_q};
+      left6_q  <= {left6_q[27:0], left5_q};
+    end
+
+    peak7_q <= centre >= LeastScore && centre >= right6_q[6:0] && centre >= right6_q[13:7] &&
+               centre >= d6_q[20:14] && centre >= left6_q[27:21] && centre >= left6_q[34:28];
+    at7_q   <= centre;
   end
 
-  // Clocks 5-8: the branches around the centre. Everything else waits for them.
+  // Clocks 1-7: the branches around the centre, two columns behind the scores' newest.
+  logic [4:0] on_q, on_late_q, on3;
+  logic valid1_late3;
   logic [3:0] branches;
   logic [7:0] pattern;
+  always_ff @(posedge clk_i) begin
+    if (valid1) {on_late_q, on_q} <= {on_q, above1_q, older_on};
+  end
+  delay_line #(
+      .Width (6),
+      .Clocks(2)
+  ) i_on (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid1, on_late_q}),
+      .data_o({valid1_late3, on3})
+  );
   vertex_ring i_ring (
       .clk_i,
-      .valid_i(valid4),
-      .column_i({above4, above1, above2}),
+      .valid_i (valid1_late3),
+      .column_i(on3[3:0]),
+      .radial_i({{5{on3[4]}}, {2{on3[3]}}, on3[2], {2{on3[1]}}, {5{on3[0]}}}),
       .above_o(),
       .group_o(),
+      .two_o(),
       .low_o(),
       .high_o(),
       .branches_o(branches),
-      .pattern_o(pattern),
-      .junction_o()
+      .pattern_o(pattern)
   );
-  logic sol4_q, sof4_q, valid7, sol7, sof7, vertex8, end8;
-  logic [5:0] strength8;
-  logic [1:0] end_fault8;
+
+  // A frame ends one row later than its last row has come: two row starts, and the two columns
+  // that the last vertex may need.
+  logic [1:0] ending_q, fault_q;
+  logic end7;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) ending_q <= '0;
+    else if (valid2 && first2) ending_q <= {ending_q[0], is_end2};
+    if (valid2 && is_end2) fault_q <= end_fault2;
+  end
+  delay_line #(
+      .Width (1),
+      .Clocks(3)
+  ) i_valid (
+      .clk_i,
+      .rst_ni,
+      .data_i(valid2),
+      .data_o(valid5)
+  );
   delay_line #(
       .Width (3),
-      .Clocks(3)
+      .Clocks(4)
   ) i_position (
       .clk_i,
       .rst_ni,
-      .data_i({valid4, sol4_q, sof4_q}),
-      .data_o({valid7, sol7, sof7})
+      .data_i({valid2, sol2, sof2}),
+      .data_o({valid6, sol6, sof6})
   );
   delay_line #(
-      .Width (10),
-      .Clocks(3)
-  ) i_vertex (
+      .Width (1),
+      .Clocks(5)
+  ) i_end (
       .clk_i,
       .rst_ni,
-      .data_i({valid_end && in_frame && vertex_q, strength5_q, valid_end && is_end, end_fault}),
-      .data_o({vertex8, strength8, end8, end_fault8})
+      .data_i(valid2 && sol2 && ending_q[1]),
+      .data_o(end7)
   );
 
-  // Clocks 8, 9: position of the centre, strength in full.
+  // Clocks 7, 8: position of the centre.
   logic [11:0] x_q, y_q;
   always_ff @(posedge clk_i) begin
-    {sol4_q, sof4_q} <= {sol, sof};
-    if (valid7) begin
-      x_q <= sol7 ? -12'd2 : x_q + 12'd1;
-      if (sol7) y_q <= sof7 ? -12'd2 : y_q + 12'd1;
+    valid7 <= rst_ni && valid6;
+    if (valid6) begin
+      x_q <= sol6 ? -12'd2 : x_q + 12'd1;
+      if (sol6) y_q <= sof6 ? -12'd1 : y_q + 12'd1;
     end
-    vertex_valid_o    <= rst_ni && vertex8;
+    vertex_valid_o    <= rst_ni && valid7 && peak7_q;
     vertex_x_o        <= x_q;
     vertex_y_o        <= y_q;
     vertex_branches_o <= branches;
     vertex_pattern_o  <= pattern;
-    vertex_strength_o <= strength8 >= 6'd50 ? {1'b0, strength8, 1'b0} + 8'd12
-                       : strength8 >= 6'd41 ? {1'b0, strength8, 1'b0} - 8'd2 : {2'b0, strength8};
-    end_valid_o       <= rst_ni && end8;
-    end_fault_o       <= end_fault8;
+    vertex_strength_o <= at7_q;
+    end_valid_o       <= rst_ni && end7;
+    end_fault_o       <= fault_q;
   end
 
   // A vertex lies inside its frame and never comes with the frame's end.

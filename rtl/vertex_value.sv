@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stage 4, first window: the vertex value of a pixel from the directions around it.
+// Stage 4, first window: the vertex value of a pixel, whether its window looks like one around a
+// vertex, from the directions around it.
 //
-// The 16 outer pixels of the window, numbered from the right towards below, form branches: runs of
-// branch pixels (direction not 0) that touch an inner one; a branch is known by its first pixel.
-//   Two branches a < b: turn = angle of their directions, 0 .. 32; bend = 8 - distance of a and b
-//   on the ring. strength = turn + bend if turn >= min_turn + (5, 2, 0 for the weaker class 1, 2, 3).
-//   More: strength = 96 + 32 (three or more runs on the inner ring as well) - 2 (|X| + |Y|), with
-//   (X, Y) the sum of the branches' positions, |X| + |Y| <= 8.
+// A pixel of the window's ring of 16 counts when it touches an inner branch pixel (direction not 0)
+// and its contour runs along the radius: its direction is within 35 degrees of the perpendicular to
+// its position. Runs of such pixels are branches, known by their first pixel from the right towards
+// below.
+//   value = from the first branch to the second or to the last the direction turns by at least
+//           min_turn + (5, 2, 0 for the weaker class 1, 2, 3), modulo a half turn
 //
 //   min_turn_i        threshold, 1/64 turn
 //   slot in           see slot_tracker; data_i direction, 0 for no branch pixel
-//   slot out          of the centre; above_o: whether the centre (bit 2) and the pixels one and two
-//                     above it are branch pixels; strength_o as a code of the same order that takes
-//                     two bits less: 0 no vertex, 1 .. 40 corners, 41 .. 49 and 50 .. 58 junctions
+//   slot out          of the centre; value_o; above_o: whether the pixels one (bit 1) and two above
+//                     the centre are branch pixels
 //
-// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: strength 0.
+// Latency 2 rows + 2 columns + 9 clocks, 1 beat per clock. Border: value 0.
 module vertex_value #(
     parameter int MaxWidthPx = 1920
 ) (
@@ -27,22 +27,22 @@ module vertex_value #(
     input  logic       sof_i,
     input  logic       real_i,
     input  logic [1:0] fault_i,
-    input  logic [7:0] data_i,
+    input  logic [6:0] data_i,
     output logic       valid_o,
     output logic       sol_o,
     output logic       sof_o,
     output logic       real_o,
     output logic [1:0] fault_o,
-    output logic [5:0] strength_o,
-    output logic [2:0] above_o
+    output logic       value_o,
+    output logic [1:0] above_o
 );
-  localparam int Latency = 8;
+  localparam int Latency = 7;
 
-  logic [39:0] column;
+  logic [34:0] column;
   logic column_valid, valid, sol, sof, is_real, in_frame;
   logic [1:0] fault;
   line_window #(
-      .Width     (8),
+      .Width     (7),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -73,30 +73,51 @@ module vertex_value #(
       .end_fault_o()
   );
 
-  // Clocks 1-5: the ring's branches, from one bit per pixel.
+  // Clocks 1-4: the branches, from one bit per pixel and its place on the ring. The sectors along
+  // the radius of ring pixel k are centred at 16 + 4 k, for odd k at 16 + 4.7 and 16 + 11.3 and so
+  // on; all are the same 12 or 13 sectors, moved on.
+  function automatic logic along(input logic [4:0] sector, input int k);
+    logic [4:0] moved;
+    moved = sector - 5'(10 + 4 * k);
+    along = k % 4 == 3 ? moved == 5'd31 || moved < 5'd12 : moved < (k % 4 == 1 ? 5'd13 : 5'd12);
+  endfunction
+  logic [4:0] on;
+  logic [14:0] radial;
+  for (genvar j = 0; j < 5; j++) begin : gen_rows
+    assign on[j] = |column[7*j+5+:2];
+  end
+  for (genvar i = 0; i < 5; i++) begin : gen_columns
+    assign radial[i]    = on[0] && along(column[4:0], 14 - i);
+    assign radial[10+i] = on[4] && along(column[32:28], 2 + i);
+  end
+  assign radial[9:5] = {on[3] && along(column[25:21], 7), on[3] && along(column[25:21], 1),
+                        on[2] && along(column[18:14], 0), on[1] && along(column[11:7], 9),
+                        on[1] && along(column[11:7], 15)};
+
   logic [3:0] branches, group;
-  logic [7:0] low, high, pattern;
-  logic [5:0] junction;
-  logic [2:0] above;
+  logic [2:0] two;
+  logic [7:0] low, high;
+  logic [1:0] above;
   vertex_ring i_ring (
       .clk_i,
       .valid_i(column_valid),
-      .column_i({|column[39:38], |column[31:30], |column[23:22], |column[15:14], |column[7:6]}),
+      .column_i(on[3:0]),
+      .radial_i(radial),
       .above_o(above),
       .group_o(group),
+      .two_o(two),
       .low_o(low),
       .high_o(high),
       .branches_o(branches),
-      .pattern_o(pattern),
-      .junction_o(junction)
+      .pattern_o()
   );
 
   // Clocks 1-3: the directions' window follows two clocks behind the bits.
-  logic [39:0] column_late;
-  logic [199:0] window_q;
+  logic [34:0] column_late;
+  logic [174:0] window_q;
   logic column_late_valid;
   delay_line #(
-      .Width (41),
+      .Width (36),
       .Clocks(2)
   ) i_column (
       .clk_i,
@@ -105,7 +126,7 @@ module vertex_value #(
       .data_o({column_late_valid, column_late})
   );
   always_ff @(posedge clk_i) begin
-    if (column_late_valid) window_q <= {column_late, window_q[199:40]};
+    if (column_late_valid) window_q <= {column_late, window_q[174:35]};
   end
 
   // Window pixel (5 column + row) of ring pixel k.
@@ -130,102 +151,90 @@ module vertex_value #(
     endcase
   endfunction
 
-  // Clocks 4, 5: directions of the first and the last branch, first within each quarter.
-  logic [31:0] firsts_q, lasts_q;
+  // Clocks 4, 5: directions of the first, the second and the last branch, first within each
+  // quarter.
+  logic [27:0] lows_q, highs_q;
   logic [3:0] group4_q;
-  logic [7:0] first_q, last_q;
+  logic [2:0] two4_q;
+  logic [6:0] first_q, second_q, last_q;
   always_ff @(posedge clk_i) begin
     group4_q <= group;
+    two4_q   <= two;
     for (int g = 0; g < 4; g++) begin
       case (low[2*g+:2])
-        2'd0: firsts_q[8*g+:8] <= window_q[8*ring(4*g)+:8];
-        2'd1: firsts_q[8*g+:8] <= window_q[8*ring(4*g+1)+:8];
-        2'd2: firsts_q[8*g+:8] <= window_q[8*ring(4*g+2)+:8];
-        default: firsts_q[8*g+:8] <= window_q[8*ring(4*g+3)+:8];
+        2'd0: lows_q[7*g+:7] <= window_q[7*ring(4*g)+:7];
+        2'd1: lows_q[7*g+:7] <= window_q[7*ring(4*g+1)+:7];
+        2'd2: lows_q[7*g+:7] <= window_q[7*ring(4*g+2)+:7];
+        default: lows_q[7*g+:7] <= window_q[7*ring(4*g+3)+:7];
       endcase
       case (high[2*g+:2])
-        2'd0: lasts_q[8*g+:8] <= window_q[8*ring(4*g)+:8];
-        2'd1: lasts_q[8*g+:8] <= window_q[8*ring(4*g+1)+:8];
-        2'd2: lasts_q[8*g+:8] <= window_q[8*ring(4*g+2)+:8];
-        default: lasts_q[8*g+:8] <= window_q[8*ring(4*g+3)+:8];
+        2'd0: highs_q[7*g+:7] <= window_q[7*ring(4*g)+:7];
+        2'd1: highs_q[7*g+:7] <= window_q[7*ring(4*g+1)+:7];
+        2'd2: highs_q[7*g+:7] <= window_q[7*ring(4*g+2)+:7];
+        default: highs_q[7*g+:7] <= window_q[7*ring(4*g+3)+:7];
       endcase
     end
-    if (group4_q[0]) first_q <= firsts_q[7:0];
-    else if (group4_q[1]) first_q <= firsts_q[15:8];
-    else if (group4_q[2]) first_q <= firsts_q[23:16];
-    else first_q <= firsts_q[31:24];
-    if (group4_q[3]) last_q <= lasts_q[31:24];
-    else if (group4_q[2]) last_q <= lasts_q[23:16];
-    else if (group4_q[1]) last_q <= lasts_q[15:8];
-    else last_q <= lasts_q[7:0];
+    if (group4_q[0]) first_q <= lows_q[6:0];
+    else if (group4_q[1]) first_q <= lows_q[13:7];
+    else if (group4_q[2]) first_q <= lows_q[20:14];
+    else first_q <= lows_q[27:21];
+    if (group4_q[3]) last_q <= highs_q[27:21];
+    else if (group4_q[2]) last_q <= highs_q[20:14];
+    else if (group4_q[1]) last_q <= highs_q[13:7];
+    else last_q <= highs_q[6:0];
+    if (group4_q[0] && two4_q[0]) second_q <= highs_q[6:0];
+    else if (group4_q[0] ? group4_q[1] : two4_q[1]) begin
+      second_q <= group4_q[0] ? lows_q[13:7] : highs_q[13:7];
+    end else if (group4_q[1:0] != '0 ? group4_q[2] : two4_q[2]) begin
+      second_q <= group4_q[1:0] != '0 ? lows_q[20:14] : highs_q[20:14];
+    end else begin
+      second_q <= group4_q[2:0] != '0 ? lows_q[27:21] : highs_q[27:21];
+    end
   end
 
-  // Clocks 5-8: corner.
-  logic [5:0] difference_q, turn_q, bound_q, corner_q;
-  logic [1:0] class_q;
-  logic [3:0] apart, bend5_q, bend6_q, bend7_q;
-  logic corner_valid_q;
-  assign apart = pattern[3:0] - pattern[7:4];
-  always_ff @(posedge clk_i) begin
-    bend5_q <= apart[3] ? apart - 4'd8 : 4'd8 - apart;
-
-    difference_q <= first_q[5:0] - last_q[5:0];
-    class_q      <= first_q[7:6] < last_q[7:6] ? first_q[7:6] : last_q[7:6];
-    bend6_q      <= bend5_q;
-
-    turn_q  <= difference_q[5] ? -difference_q : difference_q;
-    bound_q <= {1'b0, min_turn_i} + (class_q == 2'd1 ? 6'd5 : class_q == 2'd2 ? 6'd2 : 6'd0);
-    bend7_q <= bend6_q;
-
-    corner_valid_q <= turn_q >= bound_q;
-    corner_q       <= turn_q + {2'b0, bend7_q};
-  end
-
-  // Clocks 5-8: corner or junction, if the centre is on and inside.
-  logic [2:0] above4;
-  logic in_frame4, two5_q, more5_q, two_late;
-  logic [5:0] junction_late;
-  always_ff @(posedge clk_i) begin
-    two5_q  <= in_frame4 && above4[2] && branches == 4'd2;
-    more5_q <= in_frame4 && above4[2] && branches > 4'd2;
-    if (two_late) strength_o <= corner_valid_q ? corner_q : '0;
-    else strength_o <= junction_late;
-  end
+  // Clocks 6-8: turns against their bounds.
+  logic two5_q, two8, in_frame4, turns_second, turns_last;
+  vertex_turn i_second (
+      .clk_i,
+      .min_turn_i,
+      .a_i(first_q),
+      .b_i(second_q),
+      .turns_o(turns_second)
+  );
+  vertex_turn i_last (
+      .clk_i,
+      .min_turn_i,
+      .a_i(first_q),
+      .b_i(last_q),
+      .turns_o(turns_last)
+  );
+  assign value_o = two8 && (turns_second || turns_last);
+  always_ff @(posedge clk_i) two5_q <= in_frame4 && branches > 4'd1;
   delay_line #(
-      .Width (4),
+      .Width (1),
       .Clocks(3)
-  ) i_above4 (
+  ) i_in_frame (
       .clk_i,
       .rst_ni,
-      .data_i({in_frame, above}),
-      .data_o({in_frame4, above4})
+      .data_i(in_frame),
+      .data_o(in_frame4)
   );
   delay_line #(
-      .Width (3),
-      .Clocks(Latency - 3)
-  ) i_above (
-      .clk_i,
-      .rst_ni,
-      .data_i(above4),
-      .data_o(above_o)
-  );
-  delay_line #(
-      .Width (7),
+      .Width (1),
       .Clocks(3)
-  ) i_junction (
+  ) i_two (
       .clk_i,
       .rst_ni,
-      .data_i({two5_q, more5_q ? junction : 6'd0}),
-      .data_o({two_late, junction_late})
+      .data_i(two5_q),
+      .data_o(two8)
   );
-
   delay_line #(
-      .Width (6),
+      .Width (8),
       .Clocks(Latency)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid, sol, sof, is_real, fault}),
-      .data_o({valid_o, sol_o, sof_o, real_o, fault_o})
+      .data_i({above, valid, sol, sof, is_real, fault}),
+      .data_o({above_o, valid_o, sol_o, sof_o, real_o, fault_o})
   );
 endmodule

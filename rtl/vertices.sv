@@ -7,7 +7,7 @@
 //   branch_floor_i, min_turn_i   thresholds, see direction, vertex_value
 //   vertex_*, end_*              see vertex_peak
 //
-// Latency 4 rows + 4 columns + 19 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
+// Latency 5 rows + 6 columns + 17 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
 // image is no vertex.
 module vertices #(
     parameter int MaxWidthPx   = 1920,
@@ -30,13 +30,13 @@ module vertices #(
     output logic [               11:0] vertex_y_o,
     output logic [                3:0] vertex_branches_o,
     output logic [                7:0] vertex_pattern_o,
-    output logic [                7:0] vertex_strength_o,
+    output logic [                6:0] vertex_strength_o,
     output logic                       end_valid_o,
     output logic [                1:0] end_fault_o
 );
   // The directions wait for the contour: 6 columns and some clocks.
   logic direction_in_valid, direction_valid;
-  logic [7:0] direction_in, direction;
+  logic [6:0] direction_in, direction;
   direction #(
       .FractionBits(FractionBits)
   ) i_direction (
@@ -49,7 +49,7 @@ module vertices #(
       .data_o (direction_in)
   );
   stream_fifo #(
-      .Width(8),
+      .Width(7),
       .Depth(64)
   ) i_directions (
       .clk_i,
@@ -64,8 +64,8 @@ module vertices #(
 
   logic value_valid, value_sol, value_sof, value_real;
   logic [1:0] value_fault;
-  logic [5:0] strength;
-  logic [2:0] above;
+  logic value;
+  logic [1:0] above;
   vertex_value #(
       .MaxWidthPx(MaxWidthPx)
   ) i_value (
@@ -83,7 +83,7 @@ module vertices #(
       .sof_o(value_sof),
       .real_o(value_real),
       .fault_o(value_fault),
-      .strength_o(strength),
+      .value_o(value),
       .above_o(above)
   );
 
@@ -97,7 +97,7 @@ module vertices #(
       .sof_i(value_sof),
       .real_i(value_real),
       .fault_i(value_fault),
-      .strength_i(strength),
+      .value_i(value),
       .above_i(above),
       .vertex_valid_o,
       .vertex_x_o,

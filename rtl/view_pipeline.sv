@@ -211,7 +211,8 @@ module view_pipeline #(
   logic vertex_valid, end_valid;
   logic [11:0] vertex_x, vertex_y;
   logic [3:0] vertex_branches;
-  logic [7:0] vertex_pattern, vertex_strength;
+  logic [7:0] vertex_pattern;
+  logic [6:0] vertex_strength;
   logic [1:0] end_fault;
   vertices #(
       .MaxWidthPx  (MaxWidthPx),
@@ -240,7 +241,8 @@ module view_pipeline #(
   );
 
   vertex_packer #(
-      .View(View)
+      .View        (View),
+      .StrengthBits(7)
   ) i_vertex_packer (
       .clk_i,
       .rst_ni,

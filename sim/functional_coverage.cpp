@@ -219,7 +219,7 @@ void FunctionalCoverage::sample_settings(const RunOptions& options) {
   threshold("MEAN_LIMIT", now.first_contour.mean_limit, 1, reset.first_contour.mean_limit, 31);
   threshold("SUPPORT", now.second_contour.support, 0, reset.second_contour.support, 12775);
   threshold("BRANCH_FLOOR", now.vertices.branch_floor, 1, reset.vertices.branch_floor, 511);
-  threshold("MIN_TURN", now.vertices.min_turn, 1, reset.vertices.min_turn, 27);
+  threshold("MIN_TURN", now.vertices.min_turn, 1, reset.vertices.min_turn, 16);
   const int limit = options.vertex_limit;
   add("VERTEX_LIMIT", limit == 0                 ? "0"
                       : limit <= 20              ? "1 .. 20"

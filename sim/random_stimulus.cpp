@@ -62,7 +62,7 @@ golden::FrontEndConfig random_thresholds(Random& random) {
   config.first_contour.mean_limit = random_level(1, 31, 31, random);
   config.second_contour.support = random_level(0, 2000, 12775, random);
   config.vertices.branch_floor = random_level(1, 60, 511, random);
-  config.vertices.min_turn = random_level(1, 27, 27, random);
+  config.vertices.min_turn = random_level(1, 16, 16, random);
   return config;
 }
 

@@ -9,17 +9,17 @@
 namespace trihedron::golden {
 
 int direction_sector(int gx, int gy) {
-  // Quadrants start on the axes x, y, -x, -y and each holds its own axis.
-  const int quadrant = gy > 0 ? (gx > 0 ? 0 : 1) : gy < 0 ? (gx < 0 ? 2 : 3) : (gx < 0 ? 2 : 0);
-  const int along = std::abs(quadrant % 2 == 0 ? gx : gy);
-  const int beyond = std::abs(quadrant % 2 == 0 ? gy : gx);
+  // Quadrants start on the axes x, y, -x, -y and each holds its own axis; opposite ones are one.
+  const bool odd = gy > 0 ? gx <= 0 : gy < 0 && gx >= 0;
+  const int along = std::abs(odd ? gy : gx);
+  const int beyond = std::abs(odd ? gx : gy);
   const int minor = std::min(along, beyond);
   const int major = std::max(along, beyond);
   int step = 0;
   for (const int threshold : {6, 13, 19, 27, 34, 43, 53}) {
     step += 64 * minor >= threshold * major ? 1 : 0;
   }
-  return 16 * quadrant + (along >= beyond ? step : 15 - step);
+  return 16 * (odd ? 1 : 0) + (along >= beyond ? step : 15 - step);
 }
 
 int magnitude_class(int magnitude, int floor) {
@@ -36,7 +36,8 @@ void direction_row(const GradientImage& gradient, const Plane<std::uint8_t>& sec
   for_each_set(second_contour.row(y), 0, out.width, [&](int x) {
     const int strength = magnitude_class(magnitude[x], floor);
     if (strength == 0) return;
-    direction[x] = static_cast<Direction>(strength << 6 | direction_sector(gx[x], gy[x]));
+    direction[x] =
+        static_cast<Direction>(strength << kDirectionBits | direction_sector(gx[x], gy[x]));
   });
 }
 

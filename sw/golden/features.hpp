@@ -29,11 +29,11 @@ struct ContourBeat {
 
 /// One record of the vertex stream.
 struct Vertex {
-  std::uint16_t x = 0;  ///< column, px
-  std::uint16_t y = 0;  ///< row, px
-  std::uint8_t branches = 0;  ///< contour branches that meet here: 2 a corner, 3 or more a junction
-  std::uint16_t pattern = 0;   ///< 16 a + b, the ring positions of the branches (golden/vertices.hpp)
-  std::uint16_t strength = 0;  ///< value of the match: corners up to 40, junctions from 48 to 128
+  std::uint16_t x = 0;         ///< column, px
+  std::uint16_t y = 0;         ///< row, px
+  std::uint8_t branches = 0;   ///< contour branches that leave the 5x5 pixels around it, 0 .. 8
+  std::uint16_t pattern = 0;   ///< 16 a + b, ring positions of the first and the last branch
+  std::uint16_t strength = 0;  ///< vertex score, 21 .. 64 (golden/vertices.hpp)
 };
 
 /// Everything that leaves the hardware's ports for one frame of one view. Software sees

@@ -17,8 +17,9 @@ namespace {
 constexpr int kFirstLag = kWindowRadius;
 constexpr int kRidgeLag = kFirstLag + kWindowRadius;
 constexpr int kContourLag = kRidgeLag + kWindowRadius;
-constexpr int kStrengthLag = kContourLag + kWindowRadius;
-constexpr int kVertexLag = kStrengthLag + kWindowRadius;
+constexpr int kValueLag = kContourLag + kWindowRadius;
+constexpr int kScoreLag = kValueLag + kWindowRadius;
+constexpr int kVertexLag = kScoreLag + 1;  // 3x3 pixels
 static_assert(kContourLag < kLineMemoryRows, "the gradient is kept until the contour is known");
 static_assert(kVertexLag + kWindowRadius - kContourLag < kLineMemoryRows,
               "directions are kept until the vertices are known");
@@ -26,8 +27,9 @@ static_assert(kVertexLag + kWindowRadius - kContourLag < kLineMemoryRows,
 /// What lies between the stages.
 struct LineMemories {
   GradientImage gradient;
-  Plane<std::uint8_t> first, ridge, second, strength;
+  Plane<std::uint8_t> first, ridge, second, value;
   Plane<Direction> direction;
+  Plane<std::uint16_t> score;
 
   LineMemories(int width, int height)
       : gradient{Plane<std::int16_t>::line_memories(width, height),
@@ -36,8 +38,9 @@ struct LineMemories {
         first(Plane<std::uint8_t>::line_memories(width, height)),
         ridge(first),
         second(first),
-        strength(first),
-        direction(first) {}
+        value(first),
+        direction(first),
+        score(gradient.magnitude) {}
 };
 
 /// The contour stream's row y. Each beat is put together in one 64-bit word, lowest address first,
@@ -100,11 +103,12 @@ ViewFeatures run_front_end(const std::uint8_t* grey, int width, int height, int 
       beat_row(lines, y, beats);
       features.contour.insert(features.contour.end(), beats.begin(), beats.end());
     }
-    if (const int y = latest - kStrengthLag; in_frame(y)) {
-      strength_row(lines.direction, config.vertices, y, lines.strength);
+    if (const int y = latest - kValueLag; in_frame(y)) {
+      value_row(lines.direction, config.vertices, y, lines.value);
     }
+    if (const int y = latest - kScoreLag; in_frame(y)) score_row(lines.value, y, lines.score);
     if (const int y = latest - kVertexLag; in_frame(y)) {
-      append_vertices(lines.direction, lines.strength, config.vertices, y, features.vertices);
+      append_vertices(lines.direction, lines.score, y, features.vertices);
     }
   }
   return features;

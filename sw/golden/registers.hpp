@@ -78,9 +78,9 @@ constexpr Field kSupportSum{kSupport, 0, 14, 0x90};  ///< 1/8 grey level per px
 constexpr std::uint32_t kBranchFloor = 0x02c;
 constexpr Field kBranchFloorMagnitude{kBranchFloor, 0, 9, 0x14};  ///< 1/8 grey level per px
 
-/// Vertices: smallest turn of the gradient between two strong branches.
+/// Vertices: smallest turn of the contour between two strong branches.
 constexpr std::uint32_t kMinTurn = 0x030;
-constexpr Field kMinTurnTurn{kMinTurn, 0, 5, 0x5};  ///< 1/64 of a full turn
+constexpr Field kMinTurnTurn{kMinTurn, 0, 5, 0x6};  ///< 1/64 of a full turn
 
 /// One block per view.
 constexpr std::uint32_t kViewBase = 0x100;
@@ -141,7 +141,7 @@ inline constexpr Register kRegisters[] = {
     {"MEAN_LIMIT", kMeanLimit, false, 0x1f, 0x0, 0x15},
     {"SUPPORT", kSupport, false, 0x3fff, 0x0, 0x90},
     {"BRANCH_FLOOR", kBranchFloor, false, 0x1ff, 0x0, 0x14},
-    {"MIN_TURN", kMinTurn, false, 0x1f, 0x0, 0x5},
+    {"MIN_TURN", kMinTurn, false, 0x1f, 0x0, 0x6},
     {"STATUS", kStatus, true, 0x0, 0x1ff, 0x0},
     {"FRAMES", kFrames, true, 0x0, 0x0, 0x0},
     {"VERTICES", kVertices, true, 0x0, 0x0, 0x0},

@@ -3,51 +3,26 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 #include "golden/set_pixels.hpp"
+#include "golden/vector_clones.hpp"
+#include "golden/vertex_ring.hpp"
+#include "golden/window_block.hpp"
 
 namespace trihedron::golden {
 namespace {
 
-struct Offset {
-  int x;
-  int y;
-};
-
-constexpr std::array<Offset, 8> kInner = {
-    {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-
-constexpr std::array<Offset, 16> kOuter = {{{2, 0},
-                                            {2, 1},
-                                            {2, 2},
-                                            {1, 2},
-                                            {0, 2},
-                                            {-1, 2},
-                                            {-2, 2},
-                                            {-2, 1},
-                                            {-2, 0},
-                                            {-2, -1},
-                                            {-2, -2},
-                                            {-1, -2},
-                                            {0, -2},
-                                            {1, -2},
-                                            {2, -2},
-                                            {2, -1}}};
-
-/// Per outer pixel the inner ones that touch it, as bits.
-constexpr std::array<unsigned, 16> touching_inner() {
-  std::array<unsigned, 16> masks{};
-  for (unsigned k = 0; k < 16; ++k) {
-    for (unsigned i = 0; i < 8; ++i) {
-      const int dx = kOuter[k].x - kInner[i].x;
-      const int dy = kOuter[k].y - kInner[i].y;
-      if (dx >= -1 && dx <= 1 && dy >= -1 && dy <= 1) masks[k] |= 1U << i;
-    }
-  }
-  return masks;
+int lowest(unsigned bits) {
+  int k = 0;
+  while ((bits >> k & 1) == 0) ++k;
+  return k;
 }
-constexpr std::array<unsigned, 16> kTouchingInner = touching_inner();
+
+int highest(unsigned bits) {
+  int k = kRingPx - 1;
+  while ((bits >> k & 1) == 0) --k;
+  return k;
+}
 
 int count(unsigned bits) {
   int n = 0;
@@ -55,116 +30,142 @@ int count(unsigned bits) {
   return n;
 }
 
-/// The first pixel of each run of set bits around a ring of `size`.
-unsigned run_starts(unsigned bits, unsigned size) {
-  return bits & ~(bits << 1 | bits >> (size - 1));
-}
-
-/// Angle between two directions, 1/64 turns, 0 .. 32.
-int turn_between(Direction a, Direction b) {
-  const int difference = std::abs((a & (kDirections - 1)) - (b & (kDirections - 1)));
-  return std::min(difference, kDirections - difference);
-}
-
-int corner_strength(Direction a, Direction b, int first, int last, int min_turn) {
-  constexpr int kExtraTurn[4] = {0, 5, 2, 0};
-  const int turn = turn_between(a, b);
-  if (turn < min_turn + kExtraTurn[std::min(a >> 6, b >> 6)]) return 0;
-  const int apart = last - first;
-  return turn + 8 - std::min(apart, 16 - apart);
-}
-
-int junction_strength(unsigned starts, unsigned inner) {
-  int x = 0;
-  int y = 0;
-  for (unsigned k = 0; k < 16; ++k) {
-    if ((starts >> k & 1) == 0) continue;
-    x += kOuter[k].x;
-    y += kOuter[k].y;
-  }
-  const int exact = count(run_starts(inner, 8)) >= 3 ? 32 : 0;
-  return 96 + exact - 2 * (std::abs(x) + std::abs(y));
-}
-
-/// Whether no other value of the 5x5 window is larger, and none before it in raster order equal.
-bool strongest(const Plane<std::uint8_t>& strength, int x, int y) {
-  const int centre = strength.at(x, y);
-  for (int j = -kWindowRadius; j <= kWindowRadius; ++j) {
-    for (int i = -kWindowRadius; i <= kWindowRadius; ++i) {
-      const bool before = j < 0 || (j == 0 && i < 0);
-      if (strength.at(x + i, y + j) >= centre + (before ? 0 : 1)) return false;
+/// Per ring pixel the sectors whose contour runs along the radius, as bits. Sector s is centred at
+/// s + 1/2; the perpendicular to the radius lies at 16 + 4 k sectors for even k, and at 16 + 4.72,
+/// 16 + 11.28 (the tangents 1/2 and 2) and so on in between. Opposite pixels share their sectors.
+constexpr std::array<std::uint32_t, kRingPx> sectors_along() {
+  constexpr std::array<double, 4> kPerpendicular = {16, 20.7228, 24, 27.2772};
+  constexpr double kWithin = 6.25;
+  std::array<std::uint32_t, kRingPx> table{};
+  for (unsigned k = 0; k < kRingPx; ++k) {
+    const double middle = kPerpendicular[k % 4] + (k / 4 % 2) * 16;
+    for (unsigned s = 0; s < 3 * kDirections; ++s) {
+      const double off = s + 0.5 - middle;
+      if (off <= kWithin && off >= -kWithin) table[k] |= 1U << s % kDirections;
     }
   }
-  return true;
+  return table;
+}
+constexpr std::array<std::uint32_t, kRingPx> kAlong = sectors_along();
+
+bool turns(Direction a, Direction b, int min_turn) {
+  constexpr std::array<int, 4> kExtraTurn = {0, 5, 2, 0};
+  const auto weaker = static_cast<std::size_t>(std::min(a, b) >> kDirectionBits);
+  return turn_between(a, b) >= min_turn + kExtraTurn[weaker];
+}
+
+/// Which of the n pixels from x on have a branch pixel among their 8 neighbours.
+void beside_branch(const Plane<Direction>& directions, int x, int y, int n, std::uint8_t* out) {
+  const Direction* above = directions.row(y - 1) + x;
+  const Direction* at = directions.row(y) + x;
+  const Direction* below = directions.row(y + 1) + x;
+  for (int i = 0; i < n; ++i) {
+    out[i] = above[i - 1] | above[i] | above[i + 1] | at[i - 1] | at[i + 1] | below[i - 1] |
+             below[i] | below[i + 1];
+  }
+}
+
+/// Whether no other score of 5 x 3 pixels is larger, and none before it in raster order equal.
+bool is_peak(const Plane<std::uint16_t>& scores, int x, int y) {
+  const std::uint16_t* above = scores.row(y - 1) + x;
+  const std::uint16_t* at = scores.row(y) + x;
+  const std::uint16_t* below = scores.row(y + 1) + x;
+  const int before =
+      std::max({int{*std::max_element(above - 2, above + 3)}, int{at[-2]}, int{at[-1]}});
+  const int after =
+      std::max({int{*std::max_element(below - 2, below + 3)}, int{at[1]}, int{at[2]}});
+  return at[0] > before && at[0] >= after;
+}
+
+/// [1 4 6 4 1] over values `step` apart.
+template <typename T>
+int binomial(const T* at, std::ptrdiff_t step) {
+  return at[-2 * step] + at[2 * step] + 4 * (at[-step] + at[step]) + 6 * at[0];
 }
 
 }  // namespace
 
-VertexValue vertex_value(const Plane<Direction>& directions, int x, int y,
-                         const VertexConfig& config) {
-  unsigned inner = 0;
-  for (unsigned k = 0; k < 8; ++k) {
-    inner |= (directions.at(x + kInner[k].x, y + kInner[k].y) != 0 ? 1U : 0U) << k;
-  }
-  unsigned outer = 0;
-  for (unsigned k = 0; k < 16; ++k) {
-    const bool on = directions.at(x + kOuter[k].x, y + kOuter[k].y) != 0;
-    outer |= (on && (inner & kTouchingInner[k]) != 0 ? 1U : 0U) << k;
-  }
-  const unsigned starts = run_starts(outer, 16);
-  const int branches = count(starts);
-  VertexValue value;
-  if (branches < 2) return value;
-  int first = 0;
-  while ((starts >> first & 1) == 0) ++first;
-  int last = 15;
-  while ((starts >> last & 1) == 0) --last;
+bool vertex_value(const Plane<Direction>& directions, int x, int y, const VertexConfig& config) {
+  unsigned ring = touching_ring(directions, x, y);
+  if ((ring & (ring - 1)) == 0) return false;
   const auto at = [&](int k) {
-    const Offset o = kOuter[static_cast<std::size_t>(k)];
+    const RingOffset o = kRing[static_cast<std::size_t>(k)];
     return directions.at(x + o.x, y + o.y);
   };
-  const int strength = branches >= 3
-                           ? junction_strength(starts, inner)
-                           : corner_strength(at(first), at(last), first, last, config.min_turn);
-  if (strength <= 0) return value;
-  value.strength = static_cast<std::uint8_t>(strength);
-  value.branches = static_cast<std::uint8_t>(branches);
-  value.pattern = static_cast<std::uint8_t>(16 * first + last);
-  return value;
+  for (unsigned rest = ring; rest != 0; rest &= rest - 1) {
+    const int k = lowest(rest);
+    const unsigned sector = at(k) & (kDirections - 1);
+    if ((kAlong[static_cast<std::size_t>(k)] >> sector & 1) == 0) ring &= ~(1U << k);
+  }
+  const unsigned starts = run_starts(ring);
+  const unsigned later = starts & (starts - 1);
+  if (later == 0) return false;
+  const Direction first = at(lowest(starts)), second = at(lowest(later)), last = at(highest(later));
+  return turns(first, second, config.min_turn) || turns(first, last, config.min_turn);
 }
 
-void strength_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
-                  Plane<std::uint8_t>& out) {
+void value_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
+               Plane<std::uint8_t>& out) {
   if (!clear_row(out, y)) return;
-  std::uint8_t* strength = out.row(y);
-  for_each_set(directions.row(y), kWindowRadius, out.width - kWindowRadius,
-               [&](int x) { strength[x] = vertex_value(directions, x, y, config).strength; });
+  std::uint8_t* value = out.row(y);
+  std::uint8_t candidate[kBlockPx];
+  for (int x = kWindowRadius; x < out.width - kWindowRadius; x += kBlockPx) {
+    const int n = std::min(kBlockPx, out.width - kWindowRadius - x);
+    beside_branch(directions, x, y, n, candidate);
+    for_each_set(candidate, 0, n,
+                 [&](int i) { value[x + i] = vertex_value(directions, x + i, y, config) ? 1 : 0; });
+  }
 }
 
-void append_vertices(const Plane<Direction>& directions, const Plane<std::uint8_t>& strength,
-                     const VertexConfig& config, int y, std::vector<Vertex>& out) {
-  if (y < kWindowRadius || y >= strength.height - kWindowRadius) return;
-  for_each_set(strength.row(y), kWindowRadius, strength.width - kWindowRadius, [&](int x) {
-    if (!strongest(strength, x, y)) return;
-    const VertexValue value = vertex_value(directions, x, y, config);
+TRIHEDRON_VECTOR_CLONES
+void score_row(const Plane<std::uint8_t>& values, int y, Plane<std::uint16_t>& out) {
+  if (!clear_row(out, y)) return;
+  const auto rows = window_rows(values, y);
+  std::uint8_t columns[kBlockPx + 2 * kWindowRadius];
+  std::uint16_t* score = out.row(y);
+  for (int x = kWindowRadius; x < out.width - kWindowRadius; x += kBlockPx) {
+    const int n = std::min(kBlockPx, out.width - kWindowRadius - x);
+    const int left = x - kWindowRadius;
+    for (int i = 0; i < n + 2 * kWindowRadius; ++i) {
+      const int c = left + i;
+      columns[i] = static_cast<std::uint8_t>(rows[0][c] + rows[4][c] + 6 * rows[2][c] +
+                                             4 * (rows[1][c] + rows[3][c]));
+    }
+    for (int i = 0; i < n; ++i) {
+      score[x + i] = static_cast<std::uint16_t>(binomial(columns + kWindowRadius + i, 1) >> 2);
+    }
+  }
+}
+
+void append_vertices(const Plane<Direction>& directions, const Plane<std::uint16_t>& scores, int y,
+                     std::vector<Vertex>& out) {
+  if (y < kWindowRadius || y >= scores.height - kWindowRadius) return;
+  const std::uint16_t* score = scores.row(y);
+  for (int x = kWindowRadius; x < scores.width - kWindowRadius; ++x) {
+    if (score[x] < kLeastScore || !is_peak(scores, x, y)) continue;
+    const unsigned starts = run_starts(touching_ring(directions, x, y));
     Vertex vertex;
     vertex.x = static_cast<std::uint16_t>(x);
     vertex.y = static_cast<std::uint16_t>(y);
-    vertex.branches = value.branches;
-    vertex.pattern = value.pattern;
-    vertex.strength = value.strength;
+    vertex.branches = static_cast<std::uint8_t>(count(starts));
+    if (starts != 0) {
+      vertex.pattern = static_cast<std::uint16_t>(16 * lowest(starts) + highest(starts));
+    }
+    vertex.strength = score[x];
     out.push_back(vertex);
-  });
+  }
 }
 
 std::vector<Vertex> vertices(const GradientImage& gradient,
                              const Plane<std::uint8_t>& second_contour,
                              const VertexConfig& config) {
   const Plane<Direction> direction = directions(gradient, second_contour, config.branch_floor);
-  Plane<std::uint8_t> strength(direction.width, direction.height);
-  for (int y = 0; y < strength.height; ++y) strength_row(direction, config, y, strength);
+  Plane<std::uint8_t> values(direction.width, direction.height);
+  Plane<std::uint16_t> scores(direction.width, direction.height);
+  for (int y = 0; y < values.height; ++y) value_row(direction, config, y, values);
+  for (int y = 0; y < values.height; ++y) score_row(values, y, scores);
   std::vector<Vertex> found;
-  for (int y = 0; y < strength.height; ++y) append_vertices(direction, strength, config, y, found);
+  for (int y = 0; y < values.height; ++y) append_vertices(direction, scores, y, found);
   return found;
 }
 

@@ -17,41 +17,39 @@ struct VertexConfig {
   /// the noise of a slope, 0.65 grey levels per px at sigma 3, turns the gradient of a contour of
   /// that magnitude by 10 degrees.
   int branch_floor = 20;
-  /// Smallest turn of the gradient between two strong branches, 1/64 of a full turn; 1 .. 27.
-  /// Reset: 28 degrees. With that noise it takes 4 sigma: 55, 37, 22 degrees at the lower ends of
-  /// the three classes, hence 5 and 2 more for the weaker ones.
-  int min_turn = 5;
+  /// Smallest turn between two strong branches, 5.625 degrees; 1 .. 16. Reset: 34 degrees. With
+  /// that noise it takes 4 sigma: 55, 37, 22 degrees at the lower ends of the three classes, hence
+  /// 5 and 2 more for the weaker ones; and one sector for the staircase of the pixels.
+  int min_turn = 6;
 };
 
-/// Stage 4, first window: the vertex value of one pixel from the directions around it.
+/// Stage 4, first window: the vertex value, 1 where the 5x5 window looks like one around a vertex,
+/// else 0; the centre need not be contour.
 ///
-/// The 16 outer pixels of the 5x5 window, numbered from the right towards below, form branches:
-/// runs of branch pixels (direction not 0) that touch an inner one. A branch is known by its first
-/// pixel.
-///   Two branches a and b: turn = angle between their directions, 0 .. 32; bend = 8 - distance of
-///   a and b on the ring of 16 (0 straight, 8 folded). A corner when turn >= min_turn + 5, + 2 or
-///   + 0 with the weaker branch of class 1, 2 or 3; strength = turn + bend.
-///   Three or more: a junction of strength 96, 32 more when the inner ring of 8 has three or more
-///   runs as well, less 2 (|X| + |Y|) with (X, Y) the sum of the branches' positions.
-/// Pattern: 16 a + b, for junctions of the first and the last branch.
-struct VertexValue {
-  std::uint8_t strength = 0;  ///< 0: no vertex
-  std::uint8_t branches = 0;
-  std::uint8_t pattern = 0;
-};
+/// A pixel of the window's ring of 16 counts when it touches an inner branch pixel and its contour
+/// runs along the radius: its direction is within 6.25 sectors, 35 degrees, of the perpendicular to
+/// its position. Runs of such pixels are branches, known by their first pixel from the right
+/// towards below. The value is 1 when from the first to the second or to the last branch the
+/// direction turns by at least min_turn + 5, + 2 or + 0 with the weaker one of class 1, 2 or 3.
+bool vertex_value(const Plane<Direction>& directions, int x, int y, const VertexConfig& config);
 
-VertexValue vertex_value(const Plane<Direction>& directions, int x, int y,
-                         const VertexConfig& config);
+/// Row y of the vertex values. A pixel whose 5x5 window leaves the image has 0.
+void value_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
+               Plane<std::uint8_t>& out);
 
-/// Row y of the vertex values' strengths.
-void strength_row(const Plane<Direction>& directions, const VertexConfig& config, int y,
-                  Plane<std::uint8_t>& out);
+/// Stage 4, second window: row y of the vertex score, 0 .. 64: a quarter, rounded down, of the sum
+/// of the 5x5 window's values with the weights [1 4 6 4 1] (x) [1 4 6 4 1].
+void score_row(const Plane<std::uint8_t>& values, int y, Plane<std::uint16_t>& out);
 
-/// Appends the vertices of row y: where the vertex value is the largest of its 5x5 window, the
-/// first in raster order of equal ones; from left to right. A pixel whose 5x5 window leaves the
-/// image is no vertex.
-void append_vertices(const Plane<Direction>& directions, const Plane<std::uint8_t>& strength,
-                     const VertexConfig& config, int y, std::vector<Vertex>& out);
+/// Least score of a vertex: three pixels that touch in a corner, (36 + 24 + 24) / 4. Two have 15.
+constexpr int kLeastScore = 21;
+
+/// Appends the vertices of row y, from left to right: where the score is at least kLeastScore and
+/// the largest of the 5x3 pixels around it, the first in raster order of equal ones. A pixel whose
+/// 5x5 window leaves the image is no vertex. Branches and pattern are those of the ring around the
+/// vertex without regard to their directions: its runs, and 16 a + b of the first and the last one.
+void append_vertices(const Plane<Direction>& directions, const Plane<std::uint16_t>& scores, int y,
+                     std::vector<Vertex>& out);
 
 /// Stage 4, all rows.
 std::vector<Vertex> vertices(const GradientImage& gradient,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "golden/front_end.hpp"
+#include "golden/vertex_ring.hpp"
 #include "images.hpp"
 
 namespace trihedron::golden {
@@ -16,22 +17,31 @@ namespace {
 
 using Directions = Plane<Direction>;
 
-constexpr Direction kStrong = 3 << 6;
+constexpr Direction kStrong = 3 << kDirectionBits;
 
-/// A 5x5 window from its rows; '.' is no branch, a letter a strong branch pixel of its direction.
-Directions window(const std::vector<std::string>& rows, int sector_of_a, int sector_of_b) {
-  Directions d(5, 5);
-  for (int y = 0; y < 5; ++y) {
-    for (int x = 0; x < 5; ++x) {
+/// A plane from its rows; '.' is no branch, a letter a strong branch pixel of its direction.
+Directions plane(const std::vector<std::string>& rows, int sector_of_a, int sector_of_b) {
+  Directions d(static_cast<int>(rows[0].size()), static_cast<int>(rows.size()));
+  for (int y = 0; y < d.height; ++y) {
+    for (int x = 0; x < d.width; ++x) {
       const char c = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
-      if (c != '.')
+      if (c != '.') {
         d.at(x, y) = static_cast<Direction>(kStrong | (c == 'a' ? sector_of_a : sector_of_b));
+      }
     }
   }
   return d;
 }
 
-TEST_CASE("the sector is the gradient's angle in 1/64 turns") {
+bool value(const std::vector<std::string>& rows, int sector_of_a, int sector_of_b) {
+  return vertex_value(plane(rows, sector_of_a, sector_of_b), 2, 2, {});
+}
+
+// Sectors of contours that run along the axes: a horizontal one has a vertical gradient.
+constexpr int kHorizontal = 16;
+constexpr int kVertical = 0;
+
+TEST_CASE("the sector is the direction of the gradient in 1/64 turns, modulo a half") {
   // A threshold rounded to 1/64 of the tangent moves a sector's border by up to half a degree.
   constexpr double kBorderDeg = 0.5;
   std::mt19937 random(3);
@@ -40,11 +50,11 @@ TEST_CASE("the sector is the gradient's angle in 1/64 turns") {
     const int gy = static_cast<int>(random() % 1531) - 765;
     if (gx == 0 && gy == 0) continue;
     const double angle = std::atan2(gy, gx) * 180 / M_PI;
-    const double centre = (direction_sector(gx, gy) + 0.5) * 360 / kDirections;
-    const double off = std::remainder(angle - centre, 360.0);
+    const double centre = (direction_sector(gx, gy) + 0.5) * 180 / kDirections;
+    const double off = std::remainder(angle - centre, 180.0);
     INFO(gx << ", " << gy);
-    REQUIRE(std::abs(off) <= 180.0 / kDirections + kBorderDeg);
-    REQUIRE((direction_sector(-gy, gx) - direction_sector(gx, gy) + 64) % 64 == 16);
+    REQUIRE(std::abs(off) <= 90.0 / kDirections + kBorderDeg);
+    REQUIRE((direction_sector(-gy, gx) - direction_sector(gx, gy) + 32) % 32 == 16);
   }
   CHECK(direction_sector(0, 0) == 7);
 }
@@ -56,44 +66,82 @@ TEST_CASE("the class of a magnitude changes at 1, 3/2 and 5/2 of the floor") {
   }
 }
 
-TEST_CASE("a straight contour is no vertex, a corner is worth its turn and its bend") {
-  const std::vector<std::string> straight{".....", ".....", "aaaaa", ".....", "....."};
-  CHECK(vertex_value(window(straight, 16, 16), 2, 2, {}).strength == 0);
-  const std::vector<std::string> corner{".....", ".....", "..aaa", "..b..", "..b.."};
-  const VertexValue value = vertex_value(window(corner, 48, 32), 2, 2, {});
-  CHECK(value.strength == 16 + 4);  // a quarter turn; branches 0 and 4 of 16, 4 short of opposite
-  CHECK(value.branches == 2);
-  CHECK(value.pattern == 16 * 0 + 4);
+TEST_CASE("a straight contour is no vertex, a corner is one") {
+  CHECK_FALSE(value({".....", ".....", "aaaaa", ".....", "....."}, kHorizontal, kHorizontal));
+  CHECK(value({".....", ".....", "..aaa", "..b..", "..b.."}, kHorizontal, kVertical));
 }
 
 TEST_CASE("weak branches must turn further") {
-  const std::vector<std::string> corner{".....", ".....", "..aaa", "..b..", "..b.."};
-  for (const auto& [strength, least] : {std::pair{3, 5}, {2, 7}, {1, 10}}) {
+  const std::vector<std::string> corner{".....", ".....", "..aaa", "...b.", "....b"};
+  for (const auto& [strength, least] : {std::pair{3, 6}, {2, 8}, {1, 11}}) {
     for (const int turn : {least - 1, least}) {
-      Directions d = window(corner, 0, 64 - turn);
-      d.at(2, 4) = static_cast<Direction>(strength << 6 | (64 - turn));
+      Directions d = plane(corner, 14, 14 + turn);
+      d.at(4, 4) = static_cast<Direction>(strength << kDirectionBits | (14 + turn));
       INFO("class " << strength << " turn " << turn);
-      CHECK(vertex_value(d, 2, 2, {}).strength == (turn == least ? turn + 4 : 0));
+      CHECK(vertex_value(d, 2, 2, {}) == (turn == least));
     }
   }
 }
 
-TEST_CASE("three and more branches are junctions, best where they meet") {
-  const std::vector<std::string> tee{".....", ".....", "aaaaa", "..b..", "..b.."};
-  const VertexValue t = vertex_value(window(tee, 16, 32), 2, 2, {});
-  CHECK(t.branches == 3);
-  CHECK(t.strength == 96 + 32 - 2 * 2);  // positions (2,0) (0,2) (-2,0)
-  CHECK(t.pattern == 16 * 0 + 8);
-  const std::vector<std::string> beside{".....", ".....", "aaaaa", "...b.", "...b."};
-  CHECK(vertex_value(window(beside, 16, 32), 2, 2, {}).strength < t.strength);
-  const std::vector<std::string> cross{"b...a", ".b.a.", "..a..", ".a.b.", "a...b"};
-  CHECK(vertex_value(window(cross, 8, 40), 2, 2, {}).branches == 4);
-  CHECK(vertex_value(window(cross, 8, 40), 2, 2, {}).strength == 128);
+TEST_CASE("a branch runs along the radius") {
+  // The ring's right pixel: sectors 10 .. 21 pass; the branch below stays and turns from all.
+  const std::vector<std::string> corner{".....", ".....", "..aaa", "..b..", "..b.."};
+  for (int sector = 0; sector < kDirections; ++sector) {
+    const bool turned = turn_between(static_cast<Direction>(sector), kVertical) >= 6;
+    INFO("sector " << sector);
+    CHECK(value(corner, sector, kVertical) == (sector >= 10 && sector <= 21 && turned));
+  }
+  // Two contours side by side touch the ring in many places, none of them along the radius.
+  CHECK_FALSE(value({"....b", "...b.", "a.b..", ".a...", "..a.."}, 8, 8));
+}
+
+TEST_CASE("three branches are a vertex also when two of them are one line") {
+  for (const bool stem_below : {true, false}) {
+    std::vector<std::string> tee{".....", ".....", "aaaaa", "..b..", "..b.."};
+    if (!stem_below) std::reverse(tee.begin(), tee.end());
+    CHECK(value(tee, kHorizontal, kVertical));
+  }
+  CHECK(value({"..b..", "..b..", "..aaa", "..b..", "..b.."}, kHorizontal, kVertical));
+  CHECK(value({"..b..", "..b..", "aaa..", "..b..", "..b.."}, kHorizontal, kVertical));
+}
+
+TEST_CASE("the centre of a vertex need not be contour") {
+  CHECK(value({".....", ".....", "...aa", "..b..", "..b.."}, kHorizontal, kVertical));
 }
 
 TEST_CASE("a contour that passes by without touching is no branch") {
-  const std::vector<std::string> corner{"bbbbb", ".....", "aaaaa", ".....", "....."};
-  CHECK(vertex_value(window(corner, 16, 40), 2, 2, {}).strength == 0);
+  CHECK_FALSE(value({"..b..", ".....", "aaaaa", ".....", "....."}, kHorizontal, kVertical));
+}
+
+TEST_CASE("a mirrored or turned window has the same value where each branch is one pixel") {
+  // A mirrored run begins at its other end, so runs of one pixel only.
+  std::mt19937 random(31);
+  int ones = 0;
+  for (int round = 0; round < 20000; ++round) {
+    Directions d(5, 5);
+    for (auto& sample : d.samples) {
+      const bool on = random() % 4 == 0;
+      sample = on ? static_cast<Direction>(kStrong | random() % kDirections) : Direction{0};
+    }
+    const unsigned ring = touching_ring(d, 2, 2);
+    if (run_starts(ring) != ring) continue;
+    const auto each = [](Directions in, int from) {
+      for (auto& sample : in.samples) {
+        if (sample == 0) continue;
+        sample = static_cast<Direction>(kStrong | ((from - sample) & (kDirections - 1)));
+      }
+      return in;
+    };
+    // Mirrored left to right a direction s becomes 31 - s, rows and columns exchanged 15 - s.
+    const bool here = vertex_value(d, 2, 2, {});
+    int starts = 0;
+    for (unsigned rest = ring; rest != 0; rest &= rest - 1) ++starts;
+    if (starts != 2) continue;
+    ones += here ? 1 : 0;
+    REQUIRE(vertex_value(each(test::mirrored(d), 31), 2, 2, {}) == here);
+    REQUIRE(vertex_value(each(test::transposed(d), 15), 2, 2, {}) == here);
+  }
+  CHECK(ones > 100);
 }
 
 /// Branches from the definition: outer pixels that touch an inner one, flooded along the ring.
@@ -119,21 +167,51 @@ int branches_by_definition(const Directions& d) {
   return changes / 2;
 }
 
-TEST_CASE("random windows have the branches of the definition and values in range") {
+TEST_CASE("the ring of random windows has the branches of the definition") {
   std::mt19937 random(29);
   for (int round = 0; round < 20000; ++round) {
     Directions d(5, 5);
     for (auto& sample : d.samples) {
-      const bool on = random() % 3 == 0;
-      sample = on ? static_cast<Direction>(64 + random() % 192) : Direction{0};
+      sample = random() % 3 == 0 ? static_cast<Direction>(32 + random() % 96) : Direction{0};
     }
-    const VertexValue value = vertex_value(d, 2, 2, {});
-    const int branches = branches_by_definition(d);
-    if (value.strength == 0) REQUIRE(branches <= 2);
-    if (branches >= 3) REQUIRE(value.strength >= 48);
-    if (value.strength != 0) REQUIRE(value.branches == branches);
-    if (branches == 2) REQUIRE(value.strength <= 40);
-    REQUIRE(value.strength <= 128);
+    const unsigned starts = run_starts(touching_ring(d, 2, 2));
+    int branches = 0;
+    for (unsigned rest = starts; rest != 0; rest &= rest - 1) ++branches;
+    REQUIRE(branches == branches_by_definition(d));
+  }
+}
+
+TEST_CASE("the score is a quarter of the weighted sum of the values") {
+  constexpr int kWeight[5] = {1, 4, 6, 4, 1};
+  Plane<std::uint8_t> values(70, 9);
+  std::mt19937 random(37);
+  for (auto& sample : values.samples) sample = random() % 3 == 0 ? 1 : 0;
+  Plane<std::uint16_t> scores(70, 9);
+  for (int y = 0; y < 9; ++y) score_row(values, y, scores);
+  for (int y = 2; y < 7; ++y) {
+    for (int x = 2; x < 68; ++x) {
+      int sum = 0;
+      for (int j = 0; j < 5; ++j) {
+        for (int i = 0; i < 5; ++i)
+          sum += kWeight[i] * kWeight[j] * values.at(x + i - 2, y + j - 2);
+      }
+      REQUIRE(scores.at(x, y) == sum / 4);
+    }
+  }
+}
+
+TEST_CASE("two pixels are too few for a vertex, three in a corner enough") {
+  const Directions none(12, 12);
+  for (const bool third : {false, true}) {
+    Plane<std::uint8_t> values(12, 12);
+    values.at(5, 5) = values.at(6, 5) = 1;
+    if (third) values.at(5, 6) = 1;
+    Plane<std::uint16_t> scores(12, 12);
+    for (int y = 0; y < 12; ++y) score_row(values, y, scores);
+    std::vector<Vertex> found;
+    for (int y = 0; y < 12; ++y) append_vertices(none, scores, y, found);
+    REQUIRE(found.size() == (third ? 1U : 0U));
+    if (third) CHECK((found[0].x == 5 && found[0].y == 5 && found[0].strength == kLeastScore));
   }
 }
 
@@ -164,14 +242,15 @@ TEST_CASE("an image turned by a half has its vertices turned, within one pixel")
   }
 }
 
-TEST_CASE("no two vertices share a 5x5 window and all lie on the contour") {
+TEST_CASE("vertices keep their distance and come in raster order") {
   const test::Image image = test::noise(120, 90, 41);
   const ViewFeatures f = run_front_end(image.samples.data(), 120, 90, 120);
   REQUIRE(f.vertices.size() > 20);
   for (const Vertex& v : f.vertices) {
-    CHECK(f.at(v.x, v.y).contour());
+    CHECK((v.strength >= kLeastScore && v.strength <= 64));
+    CHECK((v.x >= 2 && v.y >= 2 && v.x < 118 && v.y < 88));
     for (const Vertex& u : f.vertices) {
-      if (&u != &v) CHECK((std::abs(u.x - v.x) > 2 || std::abs(u.y - v.y) > 2));
+      if (&u != &v) CHECK((std::abs(u.x - v.x) > 2 || std::abs(u.y - v.y) > 1));
     }
   }
   CHECK(std::is_sorted(f.vertices.begin(), f.vertices.end(), [](const Vertex& a, const Vertex& b) {
