@@ -15,7 +15,7 @@
 //   end_valid_o, end_fault_o   behind the last vertex of a frame; how the frame ended
 //
 // Latency 3 rows + 4 columns + 8 clocks, 1 beat per clock. Border: values are 0 where the window of
-// vertex_value leaves the frame, so scores fall off towards its border and no vertex lies there.
+// vertex_value leaves the frame, so scores fall off towards the border and no vertex lies there.
 module vertex_peak #(
     parameter int MaxWidthPx = 1920
 ) (
@@ -72,8 +72,8 @@ module vertex_peak #(
   );
 
   // Clock 1: the column's values of seven rows, newest in the high bits, and the branch pixels of
-  // the five rows around the centre. Rows that are no frame's count 0: behind a reset or a change
-  // of width the memory holds something else.
+  // the five rows around the centre. Rows that are no frame's count 0, and so do those before a
+  // frame that follows void rows: the memory may hold something else there, of another width.
   logic value1_q;
   logic [1:0] above1_q;
   logic [6:0] rows_real_q, values;
@@ -83,8 +83,11 @@ module vertex_peak #(
   always_ff @(posedge clk_i) begin
     value1_q <= value_i;
     above1_q <= above_i;
-    if (!rst_ni) rows_real_q <= '0;
-    else if (valid_i && sol_i) rows_real_q <= {real_i, rows_real_q[6:1]};
+    if (!rst_ni) begin
+      rows_real_q <= '0;
+    end else if (valid_i && sol_i) begin
+      rows_real_q <= {real_i, sof_i && !rows_real_q[6] ? 6'd0 : rows_real_q[6:1]};
+    end
   end
   line_memory #(
       .Width(9),
@@ -126,7 +129,7 @@ module vertex_peak #(
   logic [13:0] right6_q;
   logic [20:0] at6_q, d6_q;
   logic [34:0] left6_q;
-  logic valid5, valid6, valid7, sol6, sof6, peak7_q;
+  logic valid5, valid6, valid7, sol6, sof6, rows_inside6, inside_q, peak7_q;
   assign above_plus1 = above3 + 7'd1;
   assign at_plus1 = at4_q + 7'd1;
   assign centre = at6_q[20:14];
@@ -201,13 +204,13 @@ module vertex_peak #(
       .data_o(valid5)
   );
   delay_line #(
-      .Width (3),
+      .Width (4),
       .Clocks(4)
   ) i_position (
       .clk_i,
       .rst_ni,
-      .data_i({valid2, sol2, sof2}),
-      .data_o({valid6, sol6, sof6})
+      .data_i({valid2, sol2, sof2, rows_real_q[5:1] == '1}),
+      .data_o({valid6, sol6, sof6, rows_inside6})
   );
   delay_line #(
       .Width (1),
@@ -219,15 +222,19 @@ module vertex_peak #(
       .data_o(end7)
   );
 
-  // Clocks 7, 8: position of the centre.
+  // Clocks 7, 8: position of the centre, and whether the five rows around it are a frame's. Frames
+  // back to back need no more: their scores fall off towards the border.
   logic [11:0] x_q, y_q;
   always_ff @(posedge clk_i) begin
     valid7 <= rst_ni && valid6;
     if (valid6) begin
       x_q <= sol6 ? -12'd2 : x_q + 12'd1;
-      if (sol6) y_q <= sof6 ? -12'd1 : y_q + 12'd1;
+      if (sol6) begin
+        y_q      <= sof6 ? -12'd1 : y_q + 12'd1;
+        inside_q <= rows_inside6;
+      end
     end
-    vertex_valid_o    <= rst_ni && valid7 && peak7_q;
+    vertex_valid_o    <= rst_ni && valid7 && peak7_q && inside_q;
     vertex_x_o        <= x_q;
     vertex_y_o        <= y_q;
     vertex_branches_o <= branches;
