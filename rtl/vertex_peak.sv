@@ -229,11 +229,10 @@ module vertex_peak #(
     valid7 <= rst_ni && valid6;
     if (valid6) begin
       x_q <= sol6 ? -12'd2 : x_q + 12'd1;
-      if (sol6) begin
-        y_q      <= sof6 ? -12'd1 : y_q + 12'd1;
-        inside_q <= rows_inside6;
-      end
+      if (sol6) y_q <= sof6 ? -12'd1 : y_q + 12'd1;
     end
+    if (!rst_ni) inside_q <= 1'b0;
+    else if (valid6 && sol6) inside_q <= rows_inside6;
     vertex_valid_o    <= rst_ni && valid7 && peak7_q && inside_q;
     vertex_x_o        <= x_q;
     vertex_y_o        <= y_q;

@@ -18,7 +18,7 @@ constexpr int kView = 1;
 
 /// What a faultless device puts out for one frame, to be spoilt by the tests.
 struct Output {
-  GreyImage image = polygons(kWidth, kHeight, 11);
+  GreyImage image = polygons(kWidth, kHeight, 12);
   std::vector<ContourLine> lines;
   std::vector<VertexRecord> records;
 
