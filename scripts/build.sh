@@ -6,5 +6,6 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/install.sh
-[ -f build/release/build.ninja ] || cmake --preset release >/dev/null
+# Always: a pulled change may add or remove RTL files, which the build alone notices too late.
+cmake --preset release >/dev/null
 cmake --build --preset release ${1:+--target "$@"}
