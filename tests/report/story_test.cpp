@@ -22,5 +22,5 @@ TEST_CASE("the pixel of docs/story.md has the values that are told there") {
   REQUIRE(vertex != features.vertices.end());
   CHECK(vertex->branches == 2);
   CHECK(vertex->pattern == 16 * 3 + 8);
-  CHECK(vertex->strength == 16);
+  CHECK(vertex->strength == 46);
 }
