@@ -6,10 +6,12 @@ import sys
 import tempfile
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
+READY_S = 30  # longest wait for a page's program: a hundred times what it takes on a busy machine
 CHROMIUM, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 try:
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     webdriver = None
 
@@ -47,7 +49,8 @@ class Browser:
         """Loads a file and waits until its program says that it is done."""
         self.driver.get_log("browser"), self.driver.get_log("performance")  # of the page before
         self.driver.get(page.resolve().as_uri())
-        assert self.run("return document.documentElement.dataset.ready") == "true", "not ready"
+        ready = "return document.documentElement.dataset.ready === 'true'"
+        WebDriverWait(self.driver, READY_S).until(lambda _: self.run(ready), "not ready")
 
     def run(self, script, *arguments):
         return self.driver.execute_script(script, *arguments)
