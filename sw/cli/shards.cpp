@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <zlib.h>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -62,22 +63,31 @@ fs::path file_of(const std::string& folder, const Shard& shard) {
   return fs::path(folder) / fmt::format("shard-{:06}-of-{:06}.jsonl", shard.index, shard.count);
 }
 
-/// A stored shard: the header, then a text per item.
+std::string checksum_line(const std::string& lines) {
+  const auto* bytes = reinterpret_cast<const Bytef*>(lines.data());
+  return json{{"crc32", crc32_z(0, bytes, lines.size())}}.dump() + "\n";
+}
+
+void write_shard(const fs::path& file, const json& header, const std::vector<json>& items) {
+  std::string lines = header.dump() + "\n";
+  for (const json& item : items) lines += item.dump() + "\n";
+  write_whole(file, lines + checksum_line(lines));
+}
+
+/// A stored shard: the header, then a text per item. The checksum in its last line vouches for
+/// all of it.
 std::vector<json> read_shard(const fs::path& file) {
-  std::istringstream in(read_whole(file, "the results of a shard"));
-  std::vector<json> lines;
-  for (std::string line; std::getline(in, line);) {
-    json entry = json::parse(line, nullptr, false);
-    if (entry.is_discarded())
-      throw Error(
-          fmt::format("{}: line {}: broken; expected a file that --shard wrote, remove it "
-                      "and run the shard again",
-                      file.string(), lines.size() + 1));
-    lines.push_back(std::move(entry));
-  }
-  if (lines.empty() || !lines[0].is_object() || !lines[0].contains("command_line"))
-    throw Error(file.string() + ": line 1: no header; expected a file that --shard wrote");
-  return lines;
+  const std::string text = read_whole(file, "the results of a shard");
+  const std::size_t end = text.rfind('\n', text.size() < 2 ? 0 : text.size() - 2);
+  const std::string lines = text.substr(0, end == std::string::npos ? 0 : end + 1);
+  if (lines.empty() || text != lines + checksum_line(lines))
+    throw Error(
+        file.string() +
+        ": damaged; expected a file as --shard wrote it, remove it and run the shard again");
+  std::vector<json> out;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) out.push_back(json::parse(line));
+  return out;
 }
 
 std::vector<fs::path> shard_files(const std::string& folder) {
@@ -143,10 +153,10 @@ void run_shard(std::size_t count, int jobs, const std::string& what, const Shard
   for (std::size_t i = part.index - 1; i < count; i += part.count) items.push_back(i);
   const std::vector<std::string> texts =
       run_workers(items.size(), jobs, what, [&](std::size_t i) { return work(items[i]); });
-  std::string out = header.dump() + "\n";
+  std::vector<json> stored;
   for (std::size_t i = 0; i < items.size(); ++i)
-    out += json{{"item", items[i]}, {"text", texts[i]}}.dump() + "\n";
-  write_whole(file, out);
+    stored.push_back({{"item", items[i]}, {"text", texts[i]}});
+  write_shard(file, header, stored);
   fmt::print("shard {}: {} of {} {}, {}\n", shard.shard, items.size(), count, what, file.string());
 }
 

@@ -80,7 +80,30 @@ TEST_CASE("what is no shard is refused on one line") {
   fs::create_directory(folder);
   CHECK_THAT(message("merge " + folder), Contains("no shard in this folder"));
   scratch.write("shards/shard-000001-of-000001.jsonl", "{\"half");
-  CHECK_THAT(message("merge " + folder), Contains("line 1: broken"));
+  CHECK_THAT(message("merge " + folder), Contains("damaged"));
+}
+
+TEST_CASE("a shard of which a byte changed, or whose end is missing, is refused on one line") {
+  const Scratch scratch;
+  const std::string folder = (scratch / "shards").string();
+  REQUIRE(run_program(evaluation(scratch, "a.csv") + " --results " + folder + " --shard 1/1")
+              .exit_code == 0);
+  const fs::path file = fs::path(folder) / "shard-000001-of-000001.jsonl";
+  const std::string whole = read_whole(file.string(), "a shard");
+  std::vector<std::string> damaged = {"", whole.substr(0, whole.size() - 1),
+                                      whole.substr(0, whole.rfind("{\"crc32")), whole + "{}\n"};
+  for (const char* word : {"\"item\":0", "\"item\":1", "command_line", "\"text\""}) {
+    damaged.push_back(whole);
+    REQUIRE(whole.find(word) != std::string::npos);
+    damaged.back()[whole.find(word) + std::string(word).size() - 1] = '7';
+  }
+  for (const std::string& bytes : damaged) {
+    scratch.write("shards/" + file.filename().string(), bytes);
+    const Run run = run_program("merge " + folder);
+    CHECK(run.exit_code == 2);
+    CHECK(is_one_line(run.err));
+    CHECK_THAT(run.err, Contains(file.string()) && Contains("damaged"));
+  }
 }
 
 TEST_CASE("an evaluation that is killed leaves no results, and its shard runs again") {
