@@ -15,14 +15,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::vector<View> views_of(const std::vector<PlacedModel>& objects) {
-  std::vector<View> views;
-  for (const Camera& camera : rigs::three_views()) {
-    views.push_back({camera, rigs::features_of(camera, objects)});
-  }
-  return views;
-}
-
 /// `pose` a little off: what a search for poses hands over.
 Transform nearby(const Transform& pose) {
   Vector6d motion;
@@ -45,7 +37,7 @@ const Transform kPose = rigs::pose({0.1, 0.05, 0.6}, {-5, 4, 32});
 
 TEST_CASE("an object whose model is in the library is recognised, and said where") {
   const std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket()};
-  const auto views = views_of({{&library[1], kPose}});
+  const auto views = rigs::views_of({{&library[1], kPose}});
   const auto result = explain(views, library, {{0, nearby(kPose), 2}, {1, nearby(kPose), 1}});
   REQUIRE(result.objects.size() == 1);
   CHECK(result.objects[0].model_id == library[1].id);
@@ -57,7 +49,7 @@ TEST_CASE("an object whose model is in the library is recognised, and said where
 
 TEST_CASE("a shape 10 % different in one dimension is refused") {
   const Model truth = rigs::l_bracket();
-  const auto views = views_of({{&truth, kPose}});
+  const auto views = rigs::views_of({{&truth, kPose}});
   for (const Vector3d& factors : {Vector3d(1.1, 1, 1), Vector3d(0.9, 1, 1), Vector3d(1, 1.1, 1),
                                   Vector3d(1, 0.9, 1), Vector3d(1, 1, 1.1), Vector3d(1, 1, 0.9)}) {
     const std::vector<Model> library = {scaled(truth, factors)};
@@ -70,7 +62,7 @@ TEST_CASE("a model that lies the wrong way round is turned or refused, never rep
   // The L is its own mirror image across its thickness; mirrored in x it lies the other way.
   const Model truth = rigs::l_bracket();
   const std::vector<Model> library = {scaled(truth, {-1, 1, 1})};
-  const auto views = views_of({{&truth, kPose}});
+  const auto views = rigs::views_of({{&truth, kPose}});
   for (const auto& object : explain(views, library, {{0, nearby(kPose), 1}}).objects) {
     double distance = 1e9;
     for (const Transform& same : congruences(library[0], truth)) {
@@ -83,7 +75,8 @@ TEST_CASE("a model that lies the wrong way round is turned or refused, never rep
 
 TEST_CASE("each surface that a view shows is described and matched") {
   const std::vector<Model> library = {rigs::block(60, 50, 40)};
-  const auto result = explain(views_of({{&library[0], kPose}}), library, {{0, nearby(kPose), 1}});
+  const auto result =
+      explain(rigs::views_of({{&library[0], kPose}}), library, {{0, nearby(kPose), 1}});
   REQUIRE(result.objects.size() == 1);
   CHECK(result.objects[0].surfaces.size() >= 6);  // two or three of a block in each view
   int complete = 0;
@@ -106,7 +99,7 @@ TEST_CASE("each surface that a view shows is described and matched") {
 
 TEST_CASE("a rejected hypothesis says how the shape differs") {
   const Model truth = rigs::block(60, 50, 40);
-  const auto views = views_of({{&truth, kPose}});
+  const auto views = rigs::views_of({{&truth, kPose}});
   const std::vector<Model> library = {rigs::block(66, 50, 40)};
   const auto result = explain(views, library, {{0, nearby(kPose), 1}});
   REQUIRE(result.rejections.size() == 1);
@@ -117,10 +110,11 @@ TEST_CASE("a model is told from its mirror image by the one corner that differs"
   const Model truth = rigs::centred(1, "cut", shapes::cut_block());
   const Model mirrored = scaled(truth, {-1, 1, 1});
   const Transform seen = rigs::pose({0.1, 0.05, 0.6}, {-5, 4, 32});
-  CHECK(explain(views_of({{&truth, seen}}), {truth}, {{0, nearby(seen), 1}}).objects.size() == 1);
+  CHECK(explain(rigs::views_of({{&truth, seen}}), {truth}, {{0, nearby(seen), 1}}).objects.size() ==
+        1);
   for (const Transform& turn : find_lookalikes(truth).mirrored_onto) {
     // The model in the place of its mirror image.
-    const auto views = views_of({{&mirrored, seen}});
+    const auto views = rigs::views_of({{&mirrored, seen}});
     CHECK(explain(views, {truth}, {{0, seen * turn.inverse(), 1}}).objects.empty());
   }
 }
@@ -130,7 +124,7 @@ TEST_CASE("where no view would show the corner that differs, the model is refuse
   // Turned over, the cut corner lies on the table, away from the front camera and the side camera.
   const Transform over =
       rigs::pose({0, 0, 0.02}, {0, 0, 20}) * rigs::pose({0, 3.14159265358979, 0}, {0, 0, 0});
-  auto views = views_of({{&truth, over}});
+  auto views = rigs::views_of({{&truth, over}});
   // The mirror image would show its own to one of three cameras, not to the first two.
   CHECK(explain(views, {truth}, {{0, over, 1}}).objects.size() == 1);
   views.pop_back();
@@ -141,7 +135,7 @@ TEST_CASE("where no view would show the corner that differs, the model is refuse
 
 TEST_CASE("a pose that agrees in most edges gives way to the one that agrees in all") {
   const Model truth = rigs::centred(1, "cut", shapes::cut_block());
-  const auto views = views_of({{&truth, kPose}});
+  const auto views = rigs::views_of({{&truth, kPose}});
   int right = 0;
   for (const Transform& turn : find_lookalikes(truth).turned) {
     const auto result = explain(views, {truth}, {{0, kPose * turn, 1}});
@@ -157,7 +151,7 @@ TEST_CASE("objects that hide each other are all recognised") {
   const std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket()};
   const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
   const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
-  const auto views = views_of({{&library[0], front}, {&library[1], behind}});
+  const auto views = rigs::views_of({{&library[0], front}, {&library[1], behind}});
   const auto result =
       explain(views, library, {{1, nearby(behind), 3}, {0, nearby(front), 2}, {0, behind, 1}});
   REQUIRE(result.objects.size() == 2);
@@ -166,7 +160,7 @@ TEST_CASE("objects that hide each other are all recognised") {
 
 TEST_CASE("an empty scene has no objects") {
   const std::vector<Model> library = {rigs::block(60, 50, 40)};
-  const auto result = explain(views_of({}), library, {{0, kPose, 1}});
+  const auto result = explain(rigs::views_of({}), library, {{0, kPose, 1}});
   CHECK(result.objects.empty());
 }
 

@@ -11,14 +11,6 @@ using namespace trihedron;
 
 namespace {
 
-std::vector<View> views_of(const std::vector<PlacedModel>& objects) {
-  std::vector<View> views;
-  for (const Camera& camera : rigs::three_views()) {
-    views.push_back({camera, rigs::features_of(camera, objects)});
-  }
-  return views;
-}
-
 /// Bit for bit, but for the times.
 bool equal(const RecognitionResult& a, const RecognitionResult& b) {
   const auto same_object = [](const RecognizedObject& p, const RecognizedObject& q) {
@@ -43,7 +35,7 @@ TEST_CASE("a recognizer that threads share answers as a fresh one does, bit for 
   std::vector<RecognitionResult> expected;
   for (int k = 0; k < 4; ++k) {
     const Transform pose = rigs::pose({0.1, 0.05, 0.6 + 0.3 * k}, {-5, 4.0 * k, 32});
-    scenes.push_back(views_of({{&library[static_cast<std::size_t>(k) % 2], pose}}));
+    scenes.push_back(rigs::views_of({{&library[static_cast<std::size_t>(k) % 2], pose}}));
     expected.push_back(recognize(scenes.back(), library));
     REQUIRE(expected.back().objects.size() == 1);
   }

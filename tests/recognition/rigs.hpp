@@ -7,6 +7,7 @@
 
 #include "golden/front_end.hpp"
 #include "recognition/camera.hpp"
+#include "recognition/recognize.hpp"
 #include "recognition/shapes.hpp"
 #include "recognition/visibility.hpp"
 
@@ -72,6 +73,14 @@ inline ViewFeatures features_of(const Camera& camera, const std::vector<PlacedMo
     }
   }
   return golden::run_front_end(grey.data(), camera.width_px, camera.height_px, camera.width_px);
+}
+
+/// What the three views see of objects.
+inline std::vector<View> views_of(const std::vector<PlacedModel>& objects) {
+  std::vector<View> views;
+  for (const Camera& camera : three_views())
+    views.push_back({camera, features_of(camera, objects)});
+  return views;
 }
 
 /// A model whose vertices' mean lies at its origin.
