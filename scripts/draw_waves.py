@@ -3,14 +3,13 @@
 """Draws docs/waves/*.svg, with their WaveJSON beside them, from a simulation of tests/rtl/waves_tb.sv in Icarus: the drawings
 show what the RTL does. With --check it writes nothing and fails when one of them is out of date."""
 
-import argparse
 import json
-import pathlib
 import subprocess
-import sys
 import tempfile
+from pathlib import Path
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from generated import ROOT, write_or_check
+
 OUT = ROOT / "docs/waves"
 DRAWINGS = {  # name: (clocks, signals)
     "skid_buffer": (10, "skid_tvalid skid_tready skid_tdata skid_m_tvalid skid_m_tready skid_m_tdata"),
@@ -32,7 +31,7 @@ def simulate():
         subprocess.run(["iverilog", "-g2012", "-o", "waves", "-s", "waves_tb", *map(str, sources),
                         str(ROOT / "tests/rtl/waves_tb.sv")], cwd=work, check=True, stderr=subprocess.DEVNULL)
         subprocess.run(["vvp", "-n", "waves"], cwd=work, check=True, stdout=subprocess.DEVNULL)
-        lines = (pathlib.Path(work) / "waves.vcd").read_text().splitlines()
+        lines = (Path(work) / "waves.vcd").read_text().splitlines()
     names, bits, now, clocks = {}, {}, {}, []
     for line in lines:
         word = line.split()
@@ -108,21 +107,14 @@ def draw(signals):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--check", action="store_true", help="compare with the files, write nothing")
-    check = parser.parse_args().check
     clocks, bits = simulate()
-    stale = []
+    files = {}
     for name, (count, signals) in DRAWINGS.items():
         waves = [wave(signal, clocks[:count], bits[signal]) for signal in signals.split()]
-        source = json.dumps({"signal": waves, "head": {"text": name, "tick": 0}}, indent=1) + "\n"
-        for path, text in ((OUT / f"{name}.json", source), (OUT / f"{name}.svg", draw(waves))):
-            if not path.exists() or path.read_text() != text:
-                stale.append(path)
-                if not check:
-                    path.write_text(text)
-    if check and stale:
-        sys.exit(f"{', '.join(p.name for p in stale)} in docs/waves: not what the RTL does; run scripts/draw_waves.py")
+        files[OUT / f"{name}.json"] = json.dumps(
+            {"signal": waves, "head": {"text": name, "tick": 0}}, indent=1) + "\n"
+        files[OUT / f"{name}.svg"] = draw(waves)
+    write_or_check(__doc__, files)
 
 
 if __name__ == "__main__":

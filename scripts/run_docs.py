@@ -19,7 +19,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMAND = re.compile(
-    r"(trihedron|images=|scene=|scripts/|build/|cmake|ctest|gtkwave|export|mkdir|cp|cat|SBATCH_OPTIONS=|source) ?\S*")
+    r"(trihedron|images=|scene=|(scripts|build|tests|bench)/|python3|fusesoc|git|sudo|apt|cmake|ctest|gtkwave|export|mkdir|cp|cat|"
+    r"SBATCH_OPTIONS=|source) ?\S*")
 TIMEOUT_S = 600  # far above what any of them takes
 
 
