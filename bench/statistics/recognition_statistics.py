@@ -19,7 +19,7 @@ import sets
 VISIBLE = [0, 0.3, 0.5, 0.7, 0.85, 0.95, 1.01]  # bounds of the visible share, mean over the views
 
 
-def row(name, objects, wrong, scenes):
+def row(name, objects, wrong="", scenes=""):
     right = sum(r for r, _ in objects)
     low, high = score.wilson(right, len(objects))
     share = f"{100 * right / len(objects):.1f} % ({100 * low:.1f} to {100 * high:.1f})" if objects else "-"
@@ -63,12 +63,18 @@ def main():
     parser.add_argument("--out", default="recognition_statistics.png")
     parser.add_argument("--jobs", type=int, default=2)
     arguments = parser.parse_args()
-    models = score.read_models(arguments.models)
     scored = {}
-    for name, folder in render.render_all(arguments.program, arguments.models, arguments.work):
+
+    def measure(name, folder, library):
         results = os.path.join(arguments.work, name + ".csv")
-        render.recognize(arguments.program, arguments.models, folder, results, arguments.jobs)
-        scored[name] = score.score_set(folder, results, models)
+        render.recognize(arguments.program, library, folder, results, arguments.jobs)
+        scored[name] = score.score_set(folder, results, score.read_models(library))
+
+    folders = dict(render.render_all(arguments.program, arguments.models, arguments.work))
+    for name, folder in folders.items():
+        measure(name, folder, arguments.models)
+    for name, scenes, unknown in sets.IMPOSTORS:
+        measure(name, folders[scenes], render.variants_of(arguments.work, unknown))
     print("| scenes | scenes | objects of the library | right (95 % interval) | wrong |")
     print("| --- | --- | --- | --- | --- |")
     for name, (objects, wrong, scenes) in scored.items():
@@ -77,7 +83,7 @@ def main():
         sum(s[2] for s in scored.values()))
     known = [o for name, _, _ in sets.KINDS for o in scored[name][0]]
     for (low, high), group in zip(zip(VISIBLE, VISIBLE[1:]), by_visibility(known)):
-        row(f"kinds, {100 * low:.0f} to {min(100, 100 * high):.0f} % visible", group, 0, 0)
+        row(f"kinds, {100 * low:.0f} to {min(100, 100 * high):.0f} % visible", group)
     draw(scored, arguments.out)
 
 

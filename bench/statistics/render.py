@@ -37,6 +37,11 @@ def mixed_library(program, models, folder):
     os.rename(partial, folder)
 
 
+def variants_of(root, name):
+    """The folder with the models of an unknown set."""
+    return os.path.join(root, name + "-models")
+
+
 def render_all(program, models, root):
     """All sets of one library below `root`: (name, folder) pairs."""
     os.makedirs(root, exist_ok=True)
@@ -44,7 +49,7 @@ def render_all(program, models, root):
     for name, options, seed in sets.KINDS + sets.UNKNOWN:
         extra = []
         if name.startswith("unknown"):
-            extra = ["--write-models", os.path.join(root, name + "-models")]
+            extra = ["--write-models", variants_of(root, name)]
         folder = os.path.join(root, name)
         render(program, folder, models, options, sets.SCENES_PER_SET, first, seed, extra)
         out.append((name, folder))

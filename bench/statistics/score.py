@@ -10,15 +10,22 @@ import numpy as np
 RIGHT = 0.2  # of the diameter: largest vertex distance of a right pose, symmetries taken
 
 
+def read_mesh(folder, model_id):
+    """Vertices (n x 3, mm) and faces (lists of vertex indices) of a model's ASCII PLY file."""
+    lines = open(os.path.join(folder, f"obj_{model_id:06d}.ply")).read().split("\n")
+    counts = {l.split()[1]: int(l.split()[2]) for l in lines if l.startswith("element")}
+    start = lines.index("end_header") + 1
+    faces = start + counts["vertex"]
+    return (np.array([[float(x) for x in l.split()[:3]] for l in lines[start:faces]]),
+            [[int(x) for x in l.split()[1:]] for l in lines[faces:faces + counts["face"]]])
+
+
 def read_models(folder):
     """Per id: vertices (n x 3, mm), diameter (mm), symmetries (4 x 4)."""
     info = json.load(open(os.path.join(folder, "models_info.json")))
     models = {}
     for key, entry in info.items():
-        lines = open(os.path.join(folder, f"obj_{int(key):06d}.ply")).read().split("\n")
-        count = next(int(l.split()[2]) for l in lines if l.startswith("element vertex"))
-        start = lines.index("end_header") + 1
-        vertices = np.array([[float(x) for x in l.split()[:3]] for l in lines[start:start + count]])
+        vertices, _ = read_mesh(folder, int(key))
         symmetries = [np.eye(4)] + [np.array(s).reshape(4, 4)
                                     for s in entry.get("symmetries_discrete", [])]
         models[int(key)] = (vertices, entry["diameter"], symmetries)
@@ -43,32 +50,42 @@ def read_results(path):
     return rows
 
 
+def truth_of(scene):
+    """Objects of a scene folder: (model id, pose in the first camera's frame, mean visible share)."""
+    truth = json.load(open(os.path.join(scene, "scene_gt.json")))["0"]
+    info = json.load(open(os.path.join(scene, "scene_gt_info.json")))
+    return [(t["obj_id"], (np.array(t["cam_R_m2c"]).reshape(3, 3), np.array(t["cam_t_m2c"])),
+             np.mean([view[i]["visib_fract"] for view in info.values()])) for i, t in enumerate(truth)]
+
+
+def match(results, truth, models):
+    """({object: result}, wrong results): each result, best score first, takes the nearest free
+    object of its model; it is right within RIGHT diameters."""
+    taken, wrong = {}, []
+    for result in sorted(results, key=lambda r: -r[0]):
+        _, model_id, pose = result
+        near = [(largest_distance(models[model_id], pose, at), i)
+                for i, (true_id, at, _) in enumerate(truth) if true_id == model_id and i not in taken]
+        if near and min(near)[0] < RIGHT * models[model_id][1]:
+            taken[min(near)[1]] = result
+        else:
+            wrong.append(result)
+    return taken, wrong
+
+
+def scenes_of(folder):
+    return sorted(glob.glob(os.path.join(folder, "[0-9]*")))
+
+
 def score_set(folder, results_csv, models):
     """(objects, wrong, scenes): per object of the library (right, visible share); wrong results."""
-    results, objects, wrong, scenes = read_results(results_csv), [], 0, 0
-    for scene in sorted(glob.glob(os.path.join(folder, "[0-9]*"))):
-        scenes += 1
-        truth = json.load(open(os.path.join(scene, "scene_gt.json")))["0"]
-        info = json.load(open(os.path.join(scene, "scene_gt_info.json")))
-        visible = [np.mean([view[i]["visib_fract"] for view in info.values()])
-                   for i in range(len(truth))]
-        taken = set()
-        for _, model_id, pose in sorted(results.get(int(os.path.basename(scene)), []),
-                                        key=lambda r: -r[0]):
-            found = None
-            for i, t in enumerate(truth):
-                if i in taken or t["obj_id"] != model_id:
-                    continue
-                at = (np.array(t["cam_R_m2c"]).reshape(3, 3), np.array(t["cam_t_m2c"]))
-                distance = largest_distance(models[model_id], pose, at)
-                if found is None or distance < found[0]:
-                    found = (distance, i)
-            if found and found[0] < RIGHT * models[model_id][1]:
-                taken.add(found[1])
-            else:
-                wrong += 1
-        objects += [(i in taken, visible[i]) for i, t in enumerate(truth) if t["obj_id"] in models]
-    return objects, wrong, scenes
+    results, objects, wrong = read_results(results_csv), [], 0
+    for scene in scenes_of(folder):
+        truth = truth_of(scene)
+        taken, bad = match(results.get(int(os.path.basename(scene)), []), truth, models)
+        wrong += len(bad)
+        objects += [(i in taken, seen) for i, (model_id, _, seen) in enumerate(truth) if model_id in models]
+    return objects, wrong, len(scenes_of(folder))
 
 
 def wilson(right, count, z=1.96):

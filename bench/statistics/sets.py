@@ -23,6 +23,13 @@ UNKNOWN = [
     ("unknown-lab", "--look lab --variant both", 2401),
 ]
 
+# The other way round: scenes of a kind, a library that holds nothing but the variants of an unknown set.
+IMPOSTORS = [
+    ("impostors-studio", "studio-two", "unknown-studio"),
+    ("impostors-lab", "lab-two", "unknown-lab"),
+    ("impostors-hd", "lab-hd", "unknown-lab"),
+]
+
 # Condition, its unit, option, values; the poses are the same at every value.
 SWEEP_OPTIONS = "--look lab --objects 2"
 SWEEP_SEED = 31
