@@ -6,19 +6,21 @@
 // ended, is still in flight, and neither a line nor (for 16 clocks) any input is there, void
 // rows push it on; a line that arrives meanwhile takes over at the void row's end.
 //
-//   line_*       announcements of frame_guard; last_col_i: width - 1
-//   write_*, read_o   the pixel ring: written by frame_guard, read here
+// Nothing tells when a frame has left the pipeline: it needs 11 rows and 13 columns, and some 60
+// clocks of arithmetic. Counting them here, from the last line on, makes every upset of the count
+// right again with the next line.
+//
+//   line_*       announcements of frame_guard; before_last_i: width - 2
+//   read_o, restart_o, unread_o   to pixel_ring, whose data come with the slot out
 //   go_i         a beat may be sent in this clock (room for it is sure)
 //   idle_i       no input for 16 clocks;  switch_i: frame_guard waits for drained_o
-//   frame_done_i one clock per frame that has left the pipeline
 //   drained_o    no frame in flight, nothing announced
 //   slot out     valid_o, sol_o (column 0), sof_o, real_o, fault_o (how the frame before this
-//                row ended), data_o; see line_window
+//                row ended); see line_window
 //
 // Latency 3 clocks; throughput 1 pixel per clock, frames back to back.
 module row_slots #(
-    parameter int MaxWidthPx = 1920,
-    parameter int RingBits   = 11
+    parameter int MaxWidthPx = 1920
 ) (
     input  logic                          clk_i,
     input  logic                          rst_ni,
@@ -28,30 +30,27 @@ module row_slots #(
     input  logic                          line_first_i,
     input  logic                          line_last_i,
     input  logic [                   1:0] line_fault_i,
-    input  logic [$clog2(MaxWidthPx)-1:0] last_col_i,
-    input  logic                          write_valid_i,
-    input  logic [          RingBits-1:0] write_address_i,
-    input  logic [                   7:0] write_data_i,
-    output logic [            RingBits:0] read_o,
+    input  logic [$clog2(MaxWidthPx)-1:0] before_last_i,
+    output logic                          read_o,
+    output logic                          restart_o,
+    output logic                          unread_o,
     input  logic                          go_i,
     input  logic                          idle_i,
     input  logic                          switch_i,
-    input  logic                          frame_done_i,
     output logic                          drained_o,
     output logic                          valid_o,
     output logic                          sol_o,
     output logic                          sof_o,
     output logic                          real_o,
-    output logic [                   1:0] fault_o,
-    output logic [                   7:0] data_o
+    output logic [                   1:0] fault_o
 );
-  if (MaxWidthPx < 5 || MaxWidthPx > 4080 || (1 << RingBits) < MaxWidthPx + 16) begin : gen_illegal
-    illegal_MaxWidthPx_5_to_4080_RingBits_log2_of_MaxWidthPx_plus_16 stop ();
+  if (MaxWidthPx < 5 || MaxWidthPx > 4080) begin : gen_illegal
+    illegal_MaxWidthPx_5_to_4080 stop ();
   end
   localparam int ColBits = $clog2(MaxWidthPx);
 
   // The announcements; an end without a line is taken at once, a line when its row starts.
-  logic head_valid, head_ready, head_whole, head_first, head_last;
+  logic head_valid, head_ready, head_whole, head_first, head_last, head_only, fifo_ready;
   logic [1:0] head_fault;
   shift_fifo #(
       .Width(5),
@@ -60,35 +59,39 @@ module row_slots #(
       .clk_i,
       .rst_ni,
       .s_tvalid_i(line_valid_i),
-      .s_tready_o(line_ready_o),
+      .s_tready_o(fifo_ready),
       .s_tdata_i ({line_whole_i, line_first_i, line_last_i, line_fault_i}),
       .m_tvalid_o(head_valid),
       .m_tready_i(head_ready),
-      .m_tdata_o ({head_whole, head_first, head_last, head_fault})
+      .m_tdata_o ({head_whole, head_first, head_last, head_fault}),
+      .room_o(line_ready_o),
+      .single_o(head_only)
   );
 
   logic busy_q, real_q, sof_q, sol_q, last_q;  // the slot being sent, column 0, last column
   logic ended_q;                               // no frame is open
   logic [1:0] fault_q, slot_fault_q;
-  logic [ColBits-1:0] col_q, last_col_m1_q;
-  logic [RingBits:0] read_q;
-  logic [7:0] frames_q;                        // in flight: begun, not done
-  logic in_flight_q;
+  logic [ColBits-1:0] col_q;
+  // Since the last line: void rows begun, up to 12, and then void beats, up to 96.
+  logic [3:0] voids_q;
+  logic [6:0] beats_q;
 
-  logic send, free, start_line, start_void;
+  logic send, free, start_line, start_void, left, nothing_announced;
+  assign left = beats_q[6] && beats_q[5];
+  assign nothing_announced = !head_valid && !line_valid_i;
   assign send = busy_q && go_i;
-  assign free = !busy_q || (send && last_q) || (!real_q && !in_flight_q);
+  assign free = !busy_q || (send && last_q) || (!real_q && left);
   assign start_line = free && head_valid && head_whole;
-  assign start_void = free && !head_valid && ended_q && in_flight_q && (idle_i || switch_i);
+  assign start_void = free && nothing_announced && !left && ((ended_q && idle_i) || switch_i);
   assign head_ready = start_line || !head_whole;
-  assign drained_o = !in_flight_q && !busy_q && !head_valid;
-  assign read_o = read_q;
+  assign read_o = send && real_q;
+  // The line that starts is the one committed last: no other is announced or waits for its width.
+  assign restart_o = start_line && head_only && !line_valid_i && !switch_i;
 
   always_ff @(posedge clk_i) begin
-    last_col_m1_q <= last_col_i - ColBits'(1);
     if (send) begin
       col_q  <= col_q + ColBits'(1);
-      last_q <= col_q == last_col_m1_q;
+      last_q <= col_q == before_last_i;
       sol_q  <= 1'b0;
     end
     if (start_line || start_void) begin
@@ -101,15 +104,18 @@ module row_slots #(
     end
     if (head_valid && head_ready && head_last) fault_q <= head_fault;
     if (!rst_ni) begin
-      {busy_q, in_flight_q} <= '0;
-      ended_q <= 1'b1;
-      {read_q, frames_q} <= '0;
+      {busy_q, drained_o, unread_o} <= '0;
+      {ended_q, voids_q, beats_q} <= '1;
     end else begin
       busy_q <= start_line || start_void || (busy_q && !free);
       if (head_valid && head_ready) ended_q <= head_last;
-      if (send && real_q) read_q <= read_q + (RingBits + 1)'(1);
-      frames_q <= frames_q + 8'(start_line && head_first) - 8'(frame_done_i);
-      in_flight_q <= (frames_q != '0) || (start_line && head_first);
+      drained_o <= left && !busy_q && nothing_announced;
+      unread_o  <= head_valid || (busy_q && real_q);
+      if (start_line) {voids_q, beats_q} <= '0;
+      else begin
+        if (start_void && voids_q[3:2] != 2'b11) voids_q <= voids_q + 4'd1;
+        if (send && voids_q[3:2] == 2'b11 && !left) beats_q <= beats_q + 7'd1;
+      end
     end
   end
 
@@ -121,22 +127,10 @@ module row_slots #(
     fault_o <= slot_fault_q;
   end
 
-  line_memory #(
-      .Width(8),
-      .Depth(1 << RingBits)
-  ) i_ring (
-      .clk_i,
-      .wen_i  (write_valid_i),
-      .waddr_i(write_address_i),
-      .wdata_i(write_data_i),
-      .raddr_i(read_q[RingBits-1:0]),
-      .rdata_o(data_o)
-  );
-
-  // A frame leaves only after it has entered, and a row is never left unfinished.
+  // No announcement is lost, and a row is never left unfinished.
   always_ff @(posedge clk_i) begin
     if (rst_ni) begin
-      assert (!frame_done_i || frames_q != '0);
+      assert (!line_valid_i || fifo_ready);
       assert (!(start_line && busy_q && real_q) || last_q);
     end
   end

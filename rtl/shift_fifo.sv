@@ -3,6 +3,10 @@
 // Short FIFO in registers: first in, first out, oldest entry always at the bottom.
 //
 //   s_*, m_*  stream in and out (AXI4-Stream handshake)
+//   room_o    for two more entries;  single_o: at most one is there
+//
+// Entries move down wherever the bottom is empty, so that one which an upset makes up or takes away
+// blocks nothing.
 //
 // Latency 1 clock, throughput 1 entry per clock; s_tready_o and m_tvalid_o come from registers.
 module shift_fifo #(
@@ -16,21 +20,25 @@ module shift_fifo #(
     input  logic [Width-1:0] s_tdata_i,
     output logic             m_tvalid_o,
     input  logic             m_tready_i,
-    output logic [Width-1:0] m_tdata_o
+    output logic [Width-1:0] m_tdata_o,
+    output logic             room_o,
+    output logic             single_o
 );
   if (Width < 1 || Depth < 2 || Depth > 16) begin : gen_illegal
     illegal_Width_must_be_at_least_1_and_Depth_2_to_16 stop ();
   end
 
-  logic [Depth-1:0] used_q, used_after_pop;  // bit i: entry i holds data; no gaps
+  logic [Depth-1:0] used_q, used_after_pop;  // no gaps
   logic [Depth*Width-1:0] entries_q, entries_after_pop;
   logic push, pop;
 
   assign s_tready_o = !used_q[Depth-1];
   assign m_tvalid_o = used_q[0];
+  assign room_o = !used_q[Depth-2];
+  assign single_o = !used_q[1];
   assign m_tdata_o = entries_q[Width-1:0];
   assign push = s_tvalid_i && s_tready_o;
-  assign pop = m_tvalid_o && m_tready_i;
+  assign pop = !m_tvalid_o || m_tready_i;
   assign used_after_pop = pop ? used_q >> 1 : used_q;
   assign entries_after_pop = pop ? entries_q >> Width : entries_q;
 

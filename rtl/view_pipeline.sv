@@ -60,7 +60,6 @@ module view_pipeline #(
     illegal_View_0_to_15_MaxWidthPx_5_to_4080_MaxHeightPx_5_to_4095_FractionBits_0_to_6 stop ();
   end
   localparam int ColBits = $clog2(MaxWidthPx);
-  localparam int RingBits = $clog2(MaxWidthPx + 16);
   localparam int MagnitudeBits = FractionBits + 6;
   localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + MagnitudeBits + 5;
 
@@ -79,17 +78,15 @@ module view_pipeline #(
     if (!rst_ni || (load_settings && !hold_i)) settings_q <= settings;
   end
 
-  logic write_valid, line_valid, line_ready, line_whole, line_first, line_last;
-  logic switch_wanted, drained, idle;
+  logic line_valid, line_ready, line_whole, line_first, line_last;
+  logic switch_wanted, drained, idle, unread;
   logic [1:0] line_fault;
-  logic [RingBits-1:0] write_address;
-  logic [RingBits:0] read;
-  logic [7:0] write_data;
-  logic [ColBits-1:0] last_col;
+  logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready, read, restart;
+  logic [7:0] pixel;
+  logic [ColBits-1:0] before_last;
   frame_guard #(
       .MaxWidthPx (MaxWidthPx),
-      .MaxHeightPx(MaxHeightPx),
-      .RingBits   (RingBits)
+      .MaxHeightPx(MaxHeightPx)
   ) i_guard (
       .clk_i,
       .rst_ni,
@@ -102,17 +99,19 @@ module view_pipeline #(
       .hold_i,
       .frame_height_i,
       .flush_timeout_i,
-      .write_valid_o(write_valid),
-      .write_address_o(write_address),
-      .write_data_o(write_data),
-      .read_i(read),
+      .pixel_valid_o(pixel_valid),
+      .pixel_o(pixel),
+      .pixel_first_o(pixel_first),
+      .pixel_step_o(pixel_step),
+      .pixel_commit_o(pixel_commit),
+      .ring_ready_i(ring_ready),
       .line_valid_o(line_valid),
       .line_ready_i(line_ready),
       .line_whole_o(line_whole),
       .line_first_o(line_first),
       .line_last_o(line_last),
       .line_fault_o(line_fault),
-      .last_col_o(last_col),
+      .before_last_o(before_last),
       .settings_changed_i(settings_changed_q),
       .switch_o(switch_wanted),
       .drained_i(drained),
@@ -128,8 +127,7 @@ module view_pipeline #(
   logic [1:0] slot_fault;
   logic [7:0] slot_data;
   row_slots #(
-      .MaxWidthPx(MaxWidthPx),
-      .RingBits  (RingBits)
+      .MaxWidthPx(MaxWidthPx)
   ) i_slots (
       .clk_i,
       .rst_ni,
@@ -139,21 +137,36 @@ module view_pipeline #(
       .line_first_i(line_first),
       .line_last_i(line_last),
       .line_fault_i(line_fault),
-      .last_col_i(last_col),
-      .write_valid_i(write_valid),
-      .write_address_i(write_address),
-      .write_data_i(write_data),
+      .before_last_i(before_last),
       .read_o(read),
+      .restart_o(restart),
+      .unread_o(unread),
       .go_i(go_q),
       .idle_i(idle),
       .switch_i(switch_wanted),
-      .frame_done_i(frame_done_o),
       .drained_o(drained),
       .valid_o(slot_valid),
       .sol_o(slot_sol),
       .sof_o(slot_sof),
       .real_o(slot_real),
-      .fault_o(slot_fault),
+      .fault_o(slot_fault)
+  );
+
+  pixel_ring #(
+      .MaxWidthPx (MaxWidthPx),
+      .AddressBits($clog2(MaxWidthPx + 16))
+  ) i_ring (
+      .clk_i,
+      .rst_ni,
+      .pixel_valid_i(pixel_valid),
+      .pixel_i(pixel),
+      .first_i(pixel_first),
+      .step_i(pixel_step),
+      .commit_i(pixel_commit),
+      .ready_o(ring_ready),
+      .read_i(read),
+      .restart_i(restart),
+      .unread_i(unread),
       .data_o(slot_data)
   );
 

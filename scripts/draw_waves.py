@@ -17,7 +17,7 @@ DRAWINGS = {  # name: (clocks, signals)
     "stream_merge": (7, "merge_tvalid merge_tready merge_m_tvalid merge_m_tdata"),
     "axil_slave": (11, "axil_awvalid axil_awready axil_write axil_bvalid axil_arvalid axil_arready "
                        "axil_read_address axil_rvalid axil_rdata"),
-    "frame_guard": (23, "guard_tvalid guard_tready guard_tuser guard_tlast write_valid write_address line_valid "
+    "frame_guard": (23, "guard_tvalid guard_tready guard_tuser guard_tlast pixel_step pixel_commit line_valid "
                         "line_whole line_first line_last line_fault events"),
 }
 STEP, HEIGHT, ROW, LEFT = 36, 18, 30, 150  # px

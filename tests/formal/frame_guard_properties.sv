@@ -24,7 +24,8 @@ module frame_guard_properties #(
     input logic        line_ready,
     input logic        read_step,
     input logic        settings_changed,
-    input logic        drained
+    input logic        drained,
+    input logic        unread
 );
   localparam int MaxWidthPx = 6;
   localparam int MaxHeightPx = 6;
@@ -87,21 +88,19 @@ module frame_guard_properties #(
     end
   end
 
-  // Lines announced and not yet read: from read_q to base_q.
-  logic write_valid, line_valid, line_whole, line_first, line_last;
-  logic switch_wanted, load_settings, idle;
-  logic [RingBits-1:0] write_address, offset;
+  // Lines announced and not yet read: from read_q to base_q. The ring's reader is a counter here.
+  logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready;
+  logic line_valid, line_whole, line_first, line_last, switch_wanted, load_settings, idle;
   logic [RingBits:0] base_q, read_q, waiting;
-  logic [7:0] write_data, events;
+  logic [7:0] pixel, events;
   logic [1:0] line_fault;
-  logic [2:0] last_col;
+  logic [2:0] before_last, last_col;
   assign waiting = base_q - read_q;
-  assign offset  = write_address - base_q[RingBits-1:0];
+  assign last_col = before_last + 3'd1;
 
   frame_guard #(
       .MaxWidthPx (MaxWidthPx),
-      .MaxHeightPx(MaxHeightPx),
-      .RingBits   (RingBits)
+      .MaxHeightPx(MaxHeightPx)
   ) dut (
       .clk_i,
       .rst_ni,
@@ -114,17 +113,19 @@ module frame_guard_properties #(
       .hold_i(hold),
       .frame_height_i({9'd0, frame_height}),
       .flush_timeout_i(flush_timeout),
-      .write_valid_o(write_valid),
-      .write_address_o(write_address),
-      .write_data_o(write_data),
-      .read_i(read_q),
+      .pixel_valid_o(pixel_valid),
+      .pixel_o(pixel),
+      .pixel_first_o(pixel_first),
+      .pixel_step_o(pixel_step),
+      .pixel_commit_o(pixel_commit),
+      .ring_ready_i(ring_ready),
       .line_valid_o(line_valid),
       .line_ready_i(line_ready),
       .line_whole_o(line_whole),
       .line_first_o(line_first),
       .line_last_o(line_last),
       .line_fault_o(line_fault),
-      .last_col_o(last_col),
+      .before_last_o(before_last),
       .settings_changed_i(settings_changed),
       .switch_o(switch_wanted),
       .drained_i(drained),
@@ -132,71 +133,107 @@ module frame_guard_properties #(
       .idle_o(idle),
       .event_o(events)
   );
+  pixel_ring #(
+      .MaxWidthPx (MaxWidthPx),
+      .AddressBits(RingBits)
+  ) ring (
+      .clk_i,
+      .rst_ni,
+      .pixel_valid_i(pixel_valid),
+      .pixel_i(pixel),
+      .first_i(pixel_first),
+      .step_i(pixel_step),
+      .commit_i(pixel_commit),
+      .ready_o(ring_ready),
+      .read_i(read_step && waiting != '0),
+      .restart_i(1'b0),
+      .unread_i(unread),
+      .data_o()
+  );
+  (* hierconn *) wire [RingBits:0] \ring.write_q ;
+  (* hierconn *) wire [RingBits:0] \ring.commit_q ;
+  (* hierconn *) wire [RingBits:0] \ring.line_q ;
+  (* hierconn *) wire [RingBits:0] \ring.read_q ;
+  (* hierconn *) wire [RingBits:0] \ring.here ;
 
-  // The pixel of the watched column, as the ring holds it.
-  logic [7:0] watched_q, watched;
-  assign watched = write_valid && offset == 5'(watched_col) ? write_data : watched_q;
+  // The pixel of the watched column, as the ring holds it: of the line that comes in, and of the one
+  // committed last.
+  logic [RingBits:0] offset;
+  logic [7:0] watched_q, watched, line_watched_q;
+  assign offset  = \ring.here - \ring.commit_q ;
+  assign watched = pixel_valid && offset == 6'(watched_col) ? pixel : watched_q;
 
-  logic open_q, frame_parity_q, was_reset_q, drained_q;
-  logic [2:0] last_col_q;
+  logic open_q, frame_parity_q, was_reset_q, drained_q, line_ready_q;
+  logic [2:0] last_col_q, height1_q;
   logic [2:0] rows_q, stall_q, frame_last_col_q, rows;
+  logic [RingBits:0] last_start_q, waiting_q;
   assign rows = (line_first ? 3'd0 : rows_q) + 3'(line_whole);
   always_ff @(posedge clk_i) begin
     assume (watched_col <= 3'd5);
-    assume (!drained || !open_q);  // row_slots: an open frame is in flight
+    assume (!drained || (!open_q && line_ready));  // row_slots: an open frame is in flight
+    assume (unread || waiting_q == '0);
+    waiting_q <= rst_ni ? waiting : '0;
     was_reset_q <= !rst_ni;
     drained_q <= drained;
+    line_ready_q <= line_ready;
     last_col_q <= last_col;
+    height1_q <= height_q;
     watched_q <= watched;
+    if (pixel_commit) line_watched_q <= watched;
     if (!rst_ni) begin
-      {base_q, read_q, stall_q} <= '0;
+      {base_q, read_q, stall_q, last_start_q} <= '0;
       open_q <= 1'b0;
     end else begin
       if (read_step && waiting != '0) read_q <= read_q + 6'd1;
-      if (line_valid && line_whole) base_q <= base_q + 6'(last_col) + 6'd1;
+      if (line_valid && line_whole) begin
+        base_q <= base_q + 6'(last_col) + 6'd1;
+        last_start_q <= base_q;
+      end
       if (line_valid) open_q <= !line_last;
       stall_q <= tvalid && !tready && line_ready && drained && waiting == '0 ? stall_q + 3'd1
                                                                              : '0;
     end
     if (line_valid) begin
       rows_q <= rows;
-      frame_parity_q <= watched[7];
+      frame_parity_q <= line_watched_q[7];
       frame_last_col_q <= last_col;
     end
 
     if (started_q && rst_ni) begin
-      // Ring: what waits is not overwritten.
-      if (Shape) assert (!write_valid || waiting + 6'(offset) < 6'd32);
+      // Ring: what waits is not overwritten, and where the line announced last begins is known.
+      if (Shape) assert (!pixel_valid || waiting + (\ring.here - base_q) < 6'd32);
+      if (Shape) assert (\ring.line_q == last_start_q || switch_wanted || line_valid);
+      if (Shape) assert (!line_valid || !line_whole || \ring.line_q == base_q);
       if (Shape) assert (stall_q < 3'd6);
       // Width and settings change only when nothing is in flight, settings before a first pixel.
       if (Shape && !was_reset_q) assert (last_col == last_col_q || drained_q);
-      if (Shape) assert (!load_settings || (drained && settings_changed && !open_q && tuser && tvalid));
+      if (Shape) assert (!load_settings || (drained && !open_q && tuser && tvalid));
+      if (Shape) assert (!switch_wanted || !open_q || (line_valid && line_last));
       if (Shape && line_valid) begin
         // Frames: begin with a first line, end once, all rows of one width.
-        assert (line_ready);
+        assert (line_ready_q);
         assert (line_first == !open_q && (line_whole || line_last));
         assert (open_q || line_whole);
         assert (rows <= 3'(MaxHeightPx));
         assert (line_first || last_col == frame_last_col_q);
         assert (!line_last || line_fault != 2'd0 || rows >= 3'd5);
-        assert (!line_last || line_fault != 2'd0 || height_q == '0 ||
-                rows == height_q);
+        assert (!line_last || line_fault != 2'd0 || height1_q == '0 ||
+                rows == height1_q);
       end
       // A whole line is one line of the input, the frame's next.
       if (Order && line_valid && line_whole) begin
         assert (last_col == 3'd4 || last_col == 3'd5);
         if (watched_col <= last_col) begin
-          assert (watched[2:0] == watched_col);
-          assert (watched[5:3] == rows - 3'd1);
-          assert (watched[6] == (watched_col == last_col));
-          assert (line_first || watched[7] == frame_parity_q);
+          assert (line_watched_q[2:0] == watched_col && line_watched_q[5:3] == rows - 3'd1);
+          assert (line_first || line_watched_q[7] == frame_parity_q);
+          assert (line_watched_q[6] == (watched_col == last_col));
         end
       end
-      // Of a good stream nothing is lost: only the unfinished line is not announced.
+      // Of a good stream nothing is lost: only the unfinished line is not committed.
       if (Good) begin
         assert (events == '0);
         assert (!line_valid || !line_last || line_fault == 2'd0);
-        assert (accepted_q - base_q == 6'(next_col_q));
+        assert (accepted_q - \ring.commit_q == 6'(next_col_q));
       end
     end
   end
@@ -205,57 +242,71 @@ module frame_guard_properties #(
   // place in the stream.
   (* hierconn *) wire \dut.active_q ;
   (* hierconn *) wire \dut.begun_q ;
-  (* hierconn *) wire \dut.switched_q ;
-  (* hierconn *) wire \dut.ring_full_q ;
-  (* hierconn *) wire \dut.col_is_width_q ;
-  (* hierconn *) wire \dut.col_is_max_q ;
-  (* hierconn *) wire \dut.wide_enough_q ;
-  (* hierconn *) wire \dut.rows_is_max_q ;
-  (* hierconn *) wire \dut.rows_is_height_m1_q ;
-  (* hierconn *) wire [2:0] \dut.col_q ;
-  (* hierconn *) wire [2:0] \dut.last_col_m1_q ;
-  (* hierconn *) wire [11:0] \dut.rows_q ;
-  (* hierconn *) wire [11:0] \dut.height_q ;
-  (* hierconn *) wire [RingBits:0] \dut.write_q ;
-  (* hierconn *) wire [RingBits:0] \dut.commit_q ;
-  (* hierconn *) wire [19:0] \dut.idle_clocks_q ;
+  (* hierconn *) wire \dut.width_wait_q ;
+  (* hierconn *) wire \dut.announce_q ;
   (* hierconn *) wire \dut.idle_timeout_q ;
+  (* hierconn *) wire [19:0] \dut.idle_clocks_q ;
+  (* hierconn *) wire \dut.i_checks.in_line_o ;
+  (* hierconn *) wire \dut.i_checks.fits_o ;
+  (* hierconn *) wire \dut.i_checks.must_end_o ;
+  (* hierconn *) wire \dut.i_checks.same_width_o ;
+  (* hierconn *) wire \dut.i_checks.last_row_o ;
+  (* hierconn *) wire \dut.i_checks.over_max_o ;
+  (* hierconn *) wire \dut.i_checks.height_known_o ;
+  (* hierconn *) wire \dut.i_checks.five_q ;
+  (* hierconn *) wire [2:0] \dut.i_checks.col_q ;
+  (* hierconn *) wire [11:0] \dut.i_checks.line_q ;
+  (* hierconn *) wire [11:0] \dut.i_checks.height_q ;
   wire active = \dut.active_q ;
   wire begun = \dut.begun_q ;
-  wire [2:0] guard_col = \dut.col_q ;
-  wire [11:0] guard_rows = \dut.rows_q ;
-  wire [RingBits:0] fill = \dut.write_q - read_q;
+  wire waits = \dut.width_wait_q ;
+  wire announced = \dut.announce_q ;
+  wire in_line = \dut.i_checks.in_line_o ;
+  wire over_max = \dut.i_checks.over_max_o ;
+  wire [2:0] guard_col = in_line ? \dut.i_checks.col_q : 3'd0;
+  wire [11:0] guard_line = \dut.i_checks.line_q ;
+  wire [RingBits:0] fill = \ring.write_q - read_q;
+  // With the announcement that is under way.
+  wire [2:0] width_next = waits ? \dut.i_checks.col_q : last_col + 3'd1;
+  wire [2:0] rows_next = announced ? rows : rows_q;
 
   logic start_pending_q;
   always_ff @(posedge clk_i) begin
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
-      assert (\dut.commit_q == base_q);
-      assert (\dut.write_q - base_q <= 6'd6);
-      assert (fill <= 6'd30 && (\dut.ring_full_q || fill <= 6'd29) && waiting <= fill);
-      assert (open_q == (active && begun));
-      assert (was_reset_q || \dut.switched_q || \dut.last_col_m1_q == last_col - 3'd1);
+      assert (\ring.read_q == read_q);
+      assert (\ring.commit_q == base_q + (announced && line_whole ? 6'(width_next) : 6'd0));
+      assert (\ring.write_q - \ring.commit_q <= 6'd6);
+      assert (fill <= 6'd31 && waiting <= fill);
+      assert ((announced ? !line_last : open_q) == (active && begun));
+      assert (!announced || (line_first == !open_q && (line_whole || (line_last && open_q)) &&
+                             !(line_first && line_last)));
+      assert (!waits || (announced && line_whole && line_first && active && begun && !in_line &&
+                         (width_next == 3'd5 || width_next == 3'd6)));
       if (active) begin
-        assert (\dut.write_q - base_q == 6'(guard_col) && guard_col <= 3'd5);
-        assert (next_col_q == guard_col && next_row_q == (begun ? guard_rows[2:0] : 3'd0));
-        assert (begun || \dut.wide_enough_q == (guard_col > 3'd3));
-        assert (\dut.col_is_max_q == (guard_col == 3'd5));
-        assert (\dut.switched_q && !start_pending_q ? guard_col == last_col && !begun && guard_col > 3'd3
-                                : \dut.col_is_width_q == (guard_col != '0 && guard_col == last_col));
-        assert (\dut.height_q == 12'(height_q));
-        assert (start_pending_q || watched_col >= guard_col ||
+        assert (\ring.write_q - \ring.commit_q == 6'(guard_col) && guard_col <= 3'd5);
+        assert (next_col_q == guard_col && next_row_q == (begun ? guard_line[2:0] - 3'd1 : 3'd0));
+        assert (begun || guard_line == 12'd1);
+        assert (\dut.i_checks.same_width_o == (guard_col > 3'd1 && guard_col == last_col));
+        assert (\dut.i_checks.must_end_o == (begun ? guard_col > 3'd1 && guard_col == last_col
+                                                   : guard_col == 3'd5));
+        assert (\dut.i_checks.fits_o == (begun ? guard_col == last_col && !over_max && guard_col > 3'd1
+                                               : guard_col > 3'd3));
+        assert (\dut.i_checks.height_q == 12'(height_q));
+        assert (guard_col == '0 || start_pending_q || watched_col >= guard_col ||
                 watched_q == {parity_q, 1'b0, next_row_q, watched_col});
+        if (begun || guard_col > 3'd1) assert (\dut.i_checks.height_known_o == (height_q != '0));
       end
       if (active && begun) begin
-        assert (guard_rows == 12'(rows_q) && rows_q != '0 && rows_q <= 3'd6);
-        assert (frame_last_col_q == last_col);
-        assert (watched_col > last_col || frame_parity_q == parity_q);
-        assert (last_col == 3'd4 || last_col == 3'd5);
-        assert (guard_col <= last_col);
-        assert (guard_col == '0 || (\dut.rows_is_max_q == (rows_q == 3'd6) &&
-                \dut.rows_is_height_m1_q == (height_q != '0 &&
-                                             rows_q == height_q - 3'd1)));
-        assert (height_q < 3'd2 || rows_q < height_q);
+        assert (guard_line == 12'(rows_next) + 12'd1 && rows_next != '0 && rows_next <= 3'd6);
+        assert (announced || frame_last_col_q == last_col);
+        assert (waits || last_col == 3'd4 || last_col == 3'd5);
+        assert (waits || guard_col <= last_col);
+        assert (waits || watched_col > last_col || line_watched_q[7] == parity_q);
+        assert (guard_col == '0 || (over_max == (guard_line == 12'd7) &&
+                \dut.i_checks.last_row_o == (height_q != '0 && guard_line == 12'(height_q))));
+        assert (height_q < 3'd2 || rows_next < height_q);
+        assert (\dut.i_checks.five_q == (rows_next >= 3'd5));
       end
       if (Good) begin
         assert (20'(pause_q) >= \dut.idle_clocks_q && (was_reset_q || !\dut.idle_timeout_q ));

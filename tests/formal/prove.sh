@@ -20,13 +20,14 @@ describe() {
   properties=$1
   case $1 in
     frame_guard*)
-      module=frame_guard properties=frame_guard others=tests/formal/wire_skid_buffer.sv
-      parameters="-chparam Good 0"
-      if [ "$1" != frame_guard ]; then parameters="-chparam Good 1"; fi
+      module=frame_guard properties=frame_guard
+      others="tests/formal/wire_skid_buffer.sv rtl/line_checks.sv rtl/pixel_ring.sv rtl/line_memory.sv"
+      parameters="chparam -set Good 0 frame_guard_properties;"
+      if [ "$1" != frame_guard ]; then parameters="chparam -set Good 1 frame_guard_properties;"; fi
       ;;
     row_slots)
       engine=induction
-      others="rtl/shift_fifo.sv rtl/line_memory.sv tests/formal/slot_stream.sv"
+      others="rtl/shift_fifo.sv tests/formal/slot_stream.sv"
       ;;
     credit) module=stream_fifo others=rtl/line_memory.sv ;;
     slot_tracker) others=tests/formal/slot_stream.sv ;;
@@ -37,7 +38,7 @@ describe() {
 # Asserts hold where they are written, not one clock later (chformal), so that they help each other.
 elaborate() {
   echo "read_verilog -formal -sv $others $1 tests/formal/$top.sv
-    hierarchy -check -top $top $parameters; proc; flatten; chformal -early
+    $parameters hierarchy -check -top $top; proc; flatten; chformal -early
     memory -nomap; memory_map -formal; opt; async2sync"
 }
 

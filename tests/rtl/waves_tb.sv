@@ -68,20 +68,19 @@ module waves_tb;
 
   // frame_guard: two lines of 5 px, a line that ends early, a new frame.
   logic guard_tvalid, guard_tready, guard_tuser, guard_tlast, line_valid, line_whole, line_first,
-        line_last, guard_switch, guard_load, guard_idle, write_valid;
+        line_last, guard_switch, guard_load, guard_idle, pixel_valid, pixel_first, pixel_step, pixel_commit;
   logic [1:0] line_fault;
-  logic [4:0] write_address;
-  logic [7:0] write_data, events;
-  logic [2:0] last_col;
-  frame_guard #(.MaxWidthPx(8), .MaxHeightPx(8), .RingBits(5)) i_guard (
+  logic [7:0] pixel_data, events;
+  logic [2:0] before_last;
+  frame_guard #(.MaxWidthPx(8), .MaxHeightPx(8)) i_guard (
       .clk_i(clk), .rst_ni(rst_n),
       .s_axis_tvalid_i(guard_tvalid), .s_axis_tready_o(guard_tready), .s_axis_tdata_i(8'(at)),
       .s_axis_tuser_i(guard_tuser), .s_axis_tlast_i(guard_tlast),
       .enable_i(1'b1), .hold_i(1'b0), .frame_height_i(12'd0), .flush_timeout_i(20'd100),
-      .write_valid_o(write_valid), .write_address_o(write_address), .write_data_o(write_data),
-      .read_i(6'd0), .line_valid_o(line_valid), .line_ready_i(1'b1), .line_whole_o(line_whole),
+      .pixel_valid_o(pixel_valid), .pixel_o(pixel_data), .pixel_first_o(pixel_first),
+      .pixel_step_o(pixel_step), .pixel_commit_o(pixel_commit), .ring_ready_i(1'b1), .line_valid_o(line_valid), .line_ready_i(1'b1), .line_whole_o(line_whole),
       .line_first_o(line_first), .line_last_o(line_last), .line_fault_o(line_fault),
-      .last_col_o(last_col), .settings_changed_i(1'b0), .switch_o(guard_switch), .drained_i(1'b1),
+      .before_last_o(before_last), .settings_changed_i(1'b0), .switch_o(guard_switch), .drained_i(1'b1),
       .load_settings_o(guard_load), .idle_o(guard_idle), .event_o(events)
   );
   integer pixel = 0;  // of the list below; it stays while the guard makes it wait
