@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Stage 4, second window: the vertices, where the vertex score is at least 21 and the largest of
+// Stage 4, second window: the vertices, where the vertex score is at least 25 and the largest of
 // 5x3 pixels.
 //
 // The score (see vertex_score) must be above those before it in raster order and not below those
@@ -11,7 +11,7 @@
 //
 //   slot in    see slot_tracker; value_i, above_i see vertex_value
 //   vertex_*   in raster order, at least three columns apart, coordinates in px; branches and
-//              pattern of the branch pixels around the vertex; strength_o the score, 21 .. 64
+//              pattern of the branch pixels around the vertex; strength_o the score, 25 .. 64
 //   end_valid_o, end_fault_o   behind the last vertex of a frame; how the frame ended
 //
 // Latency 3 rows + 4 columns + 8 clocks, 1 beat per clock. Border: values are 0 where the window of
@@ -38,7 +38,7 @@ module vertex_peak #(
     output logic [ 1:0] end_fault_o
 );
   localparam int ColBits = $clog2(MaxWidthPx);
-  localparam logic [6:0] LeastScore = 7'd21;
+  localparam logic [6:0] LeastScore = 7'd25;
 
   logic valid1, valid2, sol2, sof2, first2, is_end2;
   logic [1:0] end_fault2;
@@ -181,18 +181,23 @@ module vertex_peak #(
       .two_o(),
       .low_o(),
       .high_o(),
+      .touches_o(),
+      .inner_o(),
       .branches_o(branches),
       .pattern_o(pattern)
   );
 
   // A frame ends one row later than its last row has come: two row starts, and the two columns
-  // that the last vertex may need.
+  // that the last vertex may need. The row in between may be a frame of its own.
   logic [1:0] ending_q, fault_q;
-  logic end7;
+  logic [3:0] faults_q;
+  logic ends2, end7;
+  assign ends2 = valid2 && sol2 && ending_q[1];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) ending_q <= '0;
     else if (valid2 && first2) ending_q <= {ending_q[0], is_end2};
-    if (valid2 && is_end2) fault_q <= end_fault2;
+    if (valid2 && first2) faults_q <= {faults_q[1:0], end_fault2};
+    if (ends2) fault_q <= faults_q[3:2];
   end
   delay_line #(
       .Width (1),
@@ -218,7 +223,7 @@ module vertex_peak #(
   ) i_end (
       .clk_i,
       .rst_ni,
-      .data_i(valid2 && sol2 && ending_q[1]),
+      .data_i(ends2),
       .data_o(end7)
   );
 

@@ -12,11 +12,15 @@
 //   group_o, two_o, low_o, high_o   3 clocks later: per quarter of the ring (4 pixels) whether a
 //                      branch begins there, whether two do (not told of the last quarter), the first and
 //                      the last
+//   touches_o, inner_o       3 clocks later: of each place on the ring whether an inner branch pixel
+//                      touches it; whether there is one at all
 //   branches_o, pattern_o    4 clocks later: branches 0 .. 8, {first, last} branch, 0 for none
 //
-// A ring pixel counts when it touches an inner branch pixel, too. 1 beat per clock; the centre is
-// two columns behind.
-module vertex_ring (
+// With Touching a ring pixel counts only where an inner branch pixel touches it. 1 beat per clock;
+// the centre is two columns behind.
+module vertex_ring #(
+    parameter bit Touching = 1'b1
+) (
     input  logic        clk_i,
     input  logic        valid_i,
     input  logic [ 3:0] column_i,
@@ -26,6 +30,8 @@ module vertex_ring (
     output logic [ 2:0] two_o,
     output logic [ 7:0] low_o,
     output logic [ 7:0] high_o,
+    output logic [15:0] touches_o,
+    output logic        inner_o,
     output logic [ 3:0] branches_o,
     output logic [ 7:0] pattern_o
 );
@@ -58,25 +64,28 @@ module vertex_ring (
     end
   end
 
-  // Clock 2: where runs begin of the ring's pixels that touch an inner one. Columns 1 .. 3 of the
-  // window are the older three.
+  // Clock 2: where runs begin of the ring's pixels that count. Columns 1 .. 3 of the window are the
+  // older three.
+  function automatic logic touched(input logic [7:0] pixels, input int k);
+    // Corners of the ring touch one inner pixel, middles of its sides three, the others two.
+    case (k % 4)
+      0: touched = pixels[(k/2+7)%8] || pixels[k/2] || pixels[k/2+1];
+      2: touched = pixels[k/2];
+      default: touched = pixels[k/2] || pixels[(k/2+1)%8];
+    endcase
+  endfunction
   logic [15:0] outer, starts_q;
-  logic [7:0] inner;
+  logic [7:0] inner, inner2_q;
   assign inner = {inner_q[6], inner_q[3], inner_q[0], inner_q[1], inner_q[2], inner_q[5],
                   inner_q[8], inner_q[7]};
   assign above_o = {inner_q[3], top_q[0]};
   for (genvar k = 0; k < 16; k++) begin : gen_ring
-    // Corners of the ring touch one inner pixel, middles of its sides three, the others two.
-    localparam int I = k / 2;
-    if (k % 4 == 2) begin : gen_corner
-      assign outer[k] = ring_q[k] && inner[I];
-    end else if (k % 4 == 0) begin : gen_middle
-      assign outer[k] = ring_q[k] && (inner[(I+7)%8] || inner[I] || inner[I+1]);
-    end else begin : gen_between
-      assign outer[k] = ring_q[k] && (inner[I] || inner[(I+1)%8]);
-    end
+    assign outer[k] = ring_q[k] && (!Touching || touched(inner, k));
   end
-  always_ff @(posedge clk_i) starts_q <= outer & ~{outer[14:0], outer[15]};
+  always_ff @(posedge clk_i) begin
+    starts_q <= outer & ~{outer[14:0], outer[15]};
+    inner2_q <= inner;
+  end
 
   // Clocks 3, 4: first and last begin, number of branches. Neighbours never both begin a run, so
   // a quarter holds at most two.
@@ -93,6 +102,8 @@ module vertex_ring (
       count_q[2*g+:2] <= {1'b0, starts_q[4*g] || starts_q[4*g+1]} +
                          {1'b0, starts_q[4*g+2] || starts_q[4*g+3]};
     end
+    for (int k = 0; k < 16; k++) touches_o[k] <= touched(inner2_q, k);
+    inner_o <= inner2_q != '0;
     for (int g = 0; g < 3; g++) begin
       two_o[g] <= (starts_q[4*g] || starts_q[4*g+1]) && (starts_q[4*g+2] || starts_q[4*g+3]);
     end

@@ -3,12 +3,13 @@
 // Stage 4, first window: the vertex value of a pixel, whether its window looks like one around a
 // vertex, from the directions around it.
 //
-// A pixel of the window's ring of 16 counts when it touches an inner branch pixel (direction not 0)
-// and its contour runs along the radius: its direction is within 35 degrees of the perpendicular to
-// its position. Runs of such pixels are branches, known by their first pixel from the right towards
-// below.
+// A branch pixel (direction not 0) of the window's ring of 16 counts when its contour runs along the
+// radius: its direction is within 35 degrees of the perpendicular to its position. Runs of such
+// pixels are branches, known by their first pixel from the right towards below. One that touches no
+// inner branch pixel is of class 1.
 //   value = from the first branch to the second or to the last the direction turns by at least
-//           min_turn + (5, 2, 0 for the weaker class 1, 2, 3), modulo a half turn
+//           min_turn + (5, 2, 0 for the weaker class 1, 2, 3), modulo a half turn, and an inner
+//           pixel is a branch pixel
 //
 //   min_turn_i        threshold, 1/64 turn
 //   slot in           see slot_tracker; data_i direction, 0 for no branch pixel
@@ -98,7 +99,11 @@ module vertex_value #(
   logic [2:0] two;
   logic [7:0] low, high;
   logic [1:0] above;
-  vertex_ring i_ring (
+  logic [15:0] touches;
+  logic inner;
+  vertex_ring #(
+      .Touching(1'b0)
+  ) i_ring (
       .clk_i,
       .valid_i(column_valid),
       .column_i(on[3:0]),
@@ -108,6 +113,8 @@ module vertex_value #(
       .two_o(two),
       .low_o(low),
       .high_o(high),
+      .touches_o(touches),
+      .inner_o(inner),
       .branches_o(branches),
       .pattern_o()
   );
@@ -151,65 +158,72 @@ module vertex_value #(
     endcase
   endfunction
 
-  // Clocks 4, 5: directions of the first, the second and the last branch, first within each
-  // quarter.
-  logic [27:0] lows_q, highs_q;
+  // Clocks 4, 5: {touches, direction} of the first, the second and the last branch, first within
+  // each quarter.
+  logic [31:0] lows_q, highs_q;
   logic [3:0] group4_q;
   logic [2:0] two4_q;
-  logic [6:0] first_q, second_q, last_q;
+  logic [7:0] first_q, second_q, last_q;
+  logic inner4_q;
+  logic [127:0] places;
+  function automatic logic [7:0] pick(input logic [31:0] quarter, input logic [1:0] k);
+    case (k)
+      2'd0: pick = quarter[7:0];
+      2'd1: pick = quarter[15:8];
+      2'd2: pick = quarter[23:16];
+      default: pick = quarter[31:24];
+    endcase
+  endfunction
+  for (genvar k = 0; k < 16; k++) begin : gen_places
+    assign places[8*k+:8] = {touches[k], window_q[7*ring(k)+:7]};
+  end
   always_ff @(posedge clk_i) begin
     group4_q <= group;
     two4_q   <= two;
+    inner4_q <= inner;
     for (int g = 0; g < 4; g++) begin
-      case (low[2*g+:2])
-        2'd0: lows_q[7*g+:7] <= window_q[7*ring(4*g)+:7];
-        2'd1: lows_q[7*g+:7] <= window_q[7*ring(4*g+1)+:7];
-        2'd2: lows_q[7*g+:7] <= window_q[7*ring(4*g+2)+:7];
-        default: lows_q[7*g+:7] <= window_q[7*ring(4*g+3)+:7];
-      endcase
-      case (high[2*g+:2])
-        2'd0: highs_q[7*g+:7] <= window_q[7*ring(4*g)+:7];
-        2'd1: highs_q[7*g+:7] <= window_q[7*ring(4*g+1)+:7];
-        2'd2: highs_q[7*g+:7] <= window_q[7*ring(4*g+2)+:7];
-        default: highs_q[7*g+:7] <= window_q[7*ring(4*g+3)+:7];
-      endcase
+      lows_q[8*g+:8]  <= pick(places[32*g+:32], low[2*g+:2]);
+      highs_q[8*g+:8] <= pick(places[32*g+:32], high[2*g+:2]);
     end
-    if (group4_q[0]) first_q <= lows_q[6:0];
-    else if (group4_q[1]) first_q <= lows_q[13:7];
-    else if (group4_q[2]) first_q <= lows_q[20:14];
-    else first_q <= lows_q[27:21];
-    if (group4_q[3]) last_q <= highs_q[27:21];
-    else if (group4_q[2]) last_q <= highs_q[20:14];
-    else if (group4_q[1]) last_q <= highs_q[13:7];
-    else last_q <= highs_q[6:0];
-    if (group4_q[0] && two4_q[0]) second_q <= highs_q[6:0];
+    if (group4_q[0]) first_q <= lows_q[7:0];
+    else if (group4_q[1]) first_q <= lows_q[15:8];
+    else if (group4_q[2]) first_q <= lows_q[23:16];
+    else first_q <= lows_q[31:24];
+    if (group4_q[3]) last_q <= highs_q[31:24];
+    else if (group4_q[2]) last_q <= highs_q[23:16];
+    else if (group4_q[1]) last_q <= highs_q[15:8];
+    else last_q <= highs_q[7:0];
+    if (group4_q[0] && two4_q[0]) second_q <= highs_q[7:0];
     else if (group4_q[0] ? group4_q[1] : two4_q[1]) begin
-      second_q <= group4_q[0] ? lows_q[13:7] : highs_q[13:7];
+      second_q <= group4_q[0] ? lows_q[15:8] : highs_q[15:8];
     end else if (group4_q[1:0] != '0 ? group4_q[2] : two4_q[2]) begin
-      second_q <= group4_q[1:0] != '0 ? lows_q[20:14] : highs_q[20:14];
+      second_q <= group4_q[1:0] != '0 ? lows_q[23:16] : highs_q[23:16];
     end else begin
-      second_q <= group4_q[2:0] != '0 ? lows_q[27:21] : highs_q[27:21];
+      second_q <= group4_q[2:0] != '0 ? lows_q[31:24] : highs_q[31:24];
     end
   end
 
-  // Clocks 6-8: turns against their bounds.
+  // Clocks 6-8: turns against their bounds. The weaker of two classes is 1 where one of them is.
+  function automatic logic [6:0] weaker(input logic [7:0] a, input logic b_touches);
+    weaker = {a[7] && b_touches ? a[6:5] : 2'd1, a[4:0]};
+  endfunction
   logic two5_q, two8, in_frame4, turns_second, turns_last;
   vertex_turn i_second (
       .clk_i,
       .min_turn_i,
-      .a_i(first_q),
-      .b_i(second_q),
+      .a_i(weaker(first_q, second_q[7])),
+      .b_i(second_q[6:0]),
       .turns_o(turns_second)
   );
   vertex_turn i_last (
       .clk_i,
       .min_turn_i,
-      .a_i(first_q),
-      .b_i(last_q),
+      .a_i(weaker(first_q, last_q[7])),
+      .b_i(last_q[6:0]),
       .turns_o(turns_last)
   );
   assign value_o = two8 && (turns_second || turns_last);
-  always_ff @(posedge clk_i) two5_q <= in_frame4 && branches > 4'd1;
+  always_ff @(posedge clk_i) two5_q <= in_frame4 && inner4_q && branches > 4'd1;
   delay_line #(
       .Width (1),
       .Clocks(3)

@@ -54,7 +54,7 @@ void FunctionalCoverage::sample(const FrameResult& frame) {
   }
   for (const Vertex& vertex : frame.features.vertices) {
     add("vertex branches", std::to_string(vertex.branches));
-    add("vertex strength", vertex.strength <= 35   ? "21 .. 35"
+    add("vertex strength", vertex.strength <= 35   ? "25 .. 35"
                            : vertex.strength <= 49 ? "36 .. 49"
                                                    : "50 .. 64");
     add("vertex pattern: first branch", std::to_string(vertex.pattern / 16));

@@ -121,7 +121,7 @@ FunctionalCoverage::FunctionalCoverage() {
       {"magnitude", {"0", "below noise floor", "lower half", "upper half", "saturated"}},
       {"gx x gy", cross(kSlopes, kSlopes)},
       {"vertex branches", numbers(0, 8)},
-      {"vertex strength", {"21 .. 35", "36 .. 49", "50 .. 64"}},
+      {"vertex strength", {"25 .. 35", "36 .. 49", "50 .. 64"}},
       {"vertex pattern: first branch", numbers(0, 15)},
       {"vertex pattern: last branch", numbers(0, 15)},
   }};

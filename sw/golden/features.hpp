@@ -33,7 +33,7 @@ struct Vertex {
   std::uint16_t y = 0;         ///< row, px
   std::uint8_t branches = 0;   ///< contour branches that leave the 5x5 pixels around it, 0 .. 8
   std::uint16_t pattern = 0;   ///< 16 a + b, ring positions of the first and the last branch
-  std::uint16_t strength = 0;  ///< vertex score, 21 .. 64 (golden/vertices.hpp)
+  std::uint16_t strength = 0;  ///< vertex score, 25 .. 64 (golden/vertices.hpp)
 };
 
 /// Everything that leaves the hardware's ports for one frame of one view. Software sees

@@ -56,13 +56,15 @@ unsigned set_bytes(const Direction* at) {
 
 }  // namespace
 
-unsigned touching_ring(const Plane<Direction>& directions, int x, int y) {
+WindowBranches window_branches(const Plane<Direction>& directions, int x, int y) {
   std::uint32_t rings = 0;
   for (int row = 0; row < kMinFrameSide; ++row) {
     const Direction* at = directions.row(y + row - kWindowRadius) + x - kWindowRadius;
     rings |= kRings[static_cast<std::size_t>(row)][set_bytes(at)];
   }
-  return rings & kTouched[rings >> 16];
+  const unsigned ring = rings & 0xFFFFU;
+  const unsigned inner = rings >> 16;
+  return {ring, ring & kTouched[inner], inner != 0};
 }
 
 }  // namespace trihedron::golden

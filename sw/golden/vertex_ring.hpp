@@ -35,9 +35,15 @@ constexpr std::array<RingOffset, kRingPx> kRing = {{{2, 0},
                                                     {2, -2},
                                                     {2, -1}}};
 
-/// The ring's pixels that are branch pixels (direction not 0) and touch a branch pixel among the 8
-/// inner ones: bit k for kRing[k]. (x, y) needs a whole window.
-unsigned touching_ring(const Plane<Direction>& directions, int x, int y);
+/// The branch pixels (direction not 0) of a window but for its centre. Ring: bit k for kRing[k].
+struct WindowBranches {
+  unsigned ring;      ///< branch pixels of the ring
+  unsigned touching;  ///< those that touch an inner branch pixel
+  bool inner;         ///< whether one of the 8 inner pixels is a branch pixel
+};
+
+/// Those around (x, y), which needs a whole window.
+WindowBranches window_branches(const Plane<Direction>& directions, int x, int y);
 
 /// The first pixel of each run of set bits around the ring.
 constexpr unsigned run_starts(unsigned ring) { return ring & ~(ring << 1 | ring >> (kRingPx - 1)); }

@@ -54,6 +54,11 @@ bool turns(Direction a, Direction b, int min_turn) {
   return turn_between(a, b) >= min_turn + kExtraTurn[weaker];
 }
 
+/// The direction as one of class 1.
+Direction weakest(Direction d) {
+  return static_cast<Direction>(1U << kDirectionBits | (d & (kDirections - 1U)));
+}
+
 /// Which of the n pixels from x on have a branch pixel among their 8 neighbours.
 void beside_branch(const Plane<Direction>& directions, int x, int y, int n, std::uint8_t* out) {
   const Direction* above = directions.row(y - 1) + x;
@@ -86,8 +91,9 @@ int binomial(const T* at, std::ptrdiff_t step) {
 }  // namespace
 
 bool vertex_value(const Plane<Direction>& directions, int x, int y, const VertexConfig& config) {
-  unsigned ring = touching_ring(directions, x, y);
-  if ((ring & (ring - 1)) == 0) return false;
+  const WindowBranches window = window_branches(directions, x, y);
+  unsigned ring = window.ring;
+  if (!window.inner || (ring & (ring - 1)) == 0) return false;
   const auto at = [&](int k) {
     const RingOffset o = kRing[static_cast<std::size_t>(k)];
     return directions.at(x + o.x, y + o.y);
@@ -100,7 +106,12 @@ bool vertex_value(const Plane<Direction>& directions, int x, int y, const Vertex
   const unsigned starts = run_starts(ring);
   const unsigned later = starts & (starts - 1);
   if (later == 0) return false;
-  const Direction first = at(lowest(starts)), second = at(lowest(later)), last = at(highest(later));
+  const auto branch = [&](int k) {
+    const bool touches = (window.touching >> k & 1) != 0;
+    return touches ? at(k) : weakest(at(k));
+  };
+  const Direction first = branch(lowest(starts)), second = branch(lowest(later)),
+                  last = branch(highest(later));
   return turns(first, second, config.min_turn) || turns(first, last, config.min_turn);
 }
 
@@ -143,7 +154,7 @@ void append_vertices(const Plane<Direction>& directions, const Plane<std::uint16
   const std::uint16_t* score = scores.row(y);
   for (int x = kWindowRadius; x < scores.width - kWindowRadius; ++x) {
     if (score[x] < kLeastScore || !is_peak(scores, x, y)) continue;
-    const unsigned starts = run_starts(touching_ring(directions, x, y));
+    const unsigned starts = run_starts(window_branches(directions, x, y).touching);
     Vertex vertex;
     vertex.x = static_cast<std::uint16_t>(x);
     vertex.y = static_cast<std::uint16_t>(y);

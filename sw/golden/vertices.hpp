@@ -26,11 +26,13 @@ struct VertexConfig {
 /// Stage 4, first window: the vertex value, 1 where the 5x5 window looks like one around a vertex,
 /// else 0; the centre need not be contour.
 ///
-/// A pixel of the window's ring of 16 counts when it touches an inner branch pixel and its contour
-/// runs along the radius: its direction is within 6.25 sectors, 35 degrees, of the perpendicular to
-/// its position. Runs of such pixels are branches, known by their first pixel from the right
-/// towards below. The value is 1 when from the first to the second or to the last branch the
-/// direction turns by at least min_turn + 5, + 2 or + 0 with the weaker one of class 1, 2 or 3.
+/// A branch pixel of the window's ring of 16 counts when its contour runs along the radius: its
+/// direction is within 6.25 sectors, 35 degrees, of the perpendicular to its position. Runs of such
+/// pixels are branches, known by their first pixel from the right towards below. A branch whose
+/// first pixel touches no inner branch pixel is of class 1: beside a strong contour a weak one that
+/// meets it has no ridge, so a stem may end two pixels short of its crossbar. The value is 1 when
+/// from the first to the second or to the last branch the direction turns by at least min_turn + 5,
+/// + 2 or + 0 with the weaker one of class 1, 2 or 3, and an inner pixel is a branch pixel.
 bool vertex_value(const Plane<Direction>& directions, int x, int y, const VertexConfig& config);
 
 /// Row y of the vertex values. A pixel whose 5x5 window leaves the image has 0.
@@ -41,8 +43,8 @@ void value_row(const Plane<Direction>& directions, const VertexConfig& config, i
 /// of the 5x5 window's values with the weights [1 4 6 4 1] (x) [1 4 6 4 1].
 void score_row(const Plane<std::uint8_t>& values, int y, Plane<std::uint16_t>& out);
 
-/// Least score of a vertex: three pixels that touch in a corner, (36 + 24 + 24) / 4. Two have 15.
-constexpr int kLeastScore = 21;
+/// Least score of a vertex: a square of four pixels, (36 + 24 + 24 + 16) / 4. Three have 21.
+constexpr int kLeastScore = 25;
 
 /// Appends the vertices of row y, from left to right: where the score is at least kLeastScore and
 /// the largest of the 5x3 pixels around it, the first in raster order of equal ones. A pixel whose
