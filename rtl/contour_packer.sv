@@ -17,7 +17,7 @@
 module contour_packer #(
     parameter int FractionBits = 3,
     parameter int Depth        = 64,  // pixels that wait for the consumer, a power of two
-    parameter int Reserve      = 24
+    parameter int Reserve      = 32
 ) (
     input  logic                       clk_i,
     input  logic                       rst_ni,

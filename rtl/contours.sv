@@ -11,7 +11,7 @@
 //                      first; some clocks ahead of
 //   slot out, data_o   {first, contour}, eol_o last column; see second_contour
 //
-// Latency 8 rows + 8 columns + 30 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
+// Latency 8 rows + 8 columns + 27 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
 module contours #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3

@@ -26,10 +26,11 @@ module derivatives (
     output logic signed [14:0] a_o,
     output logic signed [14:0] b_o
 );
-  // Clocks 1-3: column sums.
+  // Clocks 1-3: column sums. What will be subtracted waits inverted (not_*): carry chains of small
+  // FPGAs only add.
   logic [2:0] valid_q;
   logic [7:0] c1_q, c2_q;
-  logic [8:0] outer_q, m1_q, m2_q;
+  logic [8:0] outer_q, m1_q, not_m2_q;
   logic signed [8:0] p1_q, q1_q, p2_q;
   logic [11:0] s2_q, s_q, u_q;
   logic [12:0] t_q;
@@ -49,12 +50,12 @@ module derivatives (
     r2_q <= (12'($signed({p1_q, 2'b0})) + 12'($signed({p1_q, 1'b0}))) + 12'(q1_q);
     e2_q <= (12'($signed({p1_q, 2'b0})) + 12'($signed({q1_q, 1'b0}))) + 12'(q1_q);
     w2_q <= 10'(p1_q) + 10'(q1_q);
-    m2_q <= m1_q;
+    not_m2_q <= ~m1_q;
     c2_q <= c1_q;
     p2_q <= p1_q;
 
     s6_q <= {1'b0, s2_q, 2'b0} + {2'b0, s2_q, 1'b0};
-    u_q  <= s2_q - 12'(m2_q);
+    u_q  <= s2_q - {3'b0, ~not_m2_q};
     t_q  <= 13'(s2_q) + {3'b0, c2_q, 2'b0};
     r6_q <= 15'($signed({r2_q, 2'b0})) + 15'($signed({r2_q, 1'b0}));
     f_q  <= e2_q + 12'(p2_q);
@@ -64,8 +65,8 @@ module derivatives (
   // Clock 4: along the row. *4_q .. *1_q hold what the last columns add to the windows that are
   // still 1 .. 4 columns short.
   logic [11:0] h4_q, a4_q;
-  logic [14:0] h3_q, h2_q;
-  logic [13:0] a3_q, a2_q;
+  logic [14:0] h3_q, not_h2_q;
+  logic [13:0] a3_q, not_a2_q;
   logic signed [15:0] h1_q, v2_q, v1_q;
   logic signed [14:0] a1_q, v3_q;
   logic signed [11:0] v4_q;
@@ -76,12 +77,12 @@ module derivatives (
     if (valid_q[2]) begin
       h4_q <= s_q;
       h3_q <= 15'(h4_q) + s6_q;
-      h2_q <= h3_q;
-      h1_q <= $signed({1'b0, s6_q}) - $signed({1'b0, h2_q});
+      not_h2_q <= ~h3_q;
+      h1_q <= $signed({1'b0, s6_q}) - $signed({1'b0, ~not_h2_q});
       a4_q <= u_q;
       a3_q <= 14'(a4_q) + 14'(t_q);
-      a2_q <= a3_q;
-      a1_q <= $signed({2'b0, t_q}) - $signed({1'b0, a2_q});
+      not_a2_q <= ~a3_q;
+      a1_q <= $signed({2'b0, t_q}) - $signed({1'b0, ~not_a2_q});
       v4_q <= r_q;
       v3_q <= 15'(v4_q) + 15'($signed({r_q, 2'b0}));
       v2_q <= 16'(v3_q) + 16'(r6_q);

@@ -49,13 +49,13 @@ module direction #(
   end
 
   // Clock 2: smaller and larger component; lower: in the octant at the quadrant's own axis.
-  logic [A-1:0] minor2_q, major2_q, minor3_q, major3_q, minor4_q;
+  logic [A-1:0] minor2_q, major2_q, minor3_q, major3_q, not_minor4_q;
   logic lower2_q, x_larger, y_larger;
-  logic [A:0] x_minus_y, y_minus_x;
-  assign x_minus_y = {1'b0, ax_q} - {1'b0, ay_q};
-  assign y_minus_x = {1'b0, ay_q} - {1'b0, ax_q};
-  assign y_larger  = x_minus_y[A];
-  assign x_larger  = y_minus_x[A];
+  logic [A:0] x_minus_y, x_minus_y_less1;
+  assign x_minus_y       = {1'b0, ax_q} - {1'b0, ay_q};
+  assign x_minus_y_less1 = {1'b0, ax_q} + {1'b0, ~ay_q};
+  assign y_larger        = x_minus_y[A];
+  assign x_larger        = x_minus_y_less1[A];
   always_ff @(posedge clk_i) begin
     minor2_q <= y_larger ? ax_q : ay_q;
     major2_q <= y_larger ? ay_q : ax_q;
@@ -65,15 +65,15 @@ module direction #(
   // Clocks 3-5: thresholds times the larger component, comparisons.
   logic [A+1:0] three_q;
   logic [A+2:0] five_q;
-  logic [T-1:0] six_q, thirteen_q, nineteen_q, twentyseven_q, thirtyfour_q, fortythree_q,
-      fiftythree_q;
-  logic [6:0] reached_q;
-  // 64 minor >= product, by the borrow of a subtraction; of the product's last six bits it only
-  // matters whether one is set.
-  function automatic logic reaches(input logic [T-1:0] product);
-    logic [A+1:0] difference;
-    difference = {1'b0, product[T-1:6], |product[5:0]} - {1'b0, minor4_q, 1'b1};
-    reaches = difference[A+1];
+  logic [T-1:0] thirteen_q, nineteen_q, twentyseven_q, thirtyfour_q, fortythree_q, fiftythree_q;
+  logic [6:0] missed_q;
+  logic missed_six_q;
+  // product > 64 minor, by the carry of a sum; of the product's last six bits it only matters whether one
+  // is set. Top bit: see neighbour_mean.
+  function automatic logic exceeds(input logic [T-1:0] product, input logic [A-1:0] not_minor);
+    logic [A+1:0] sum;
+    sum = {not_minor[A-1], product[T-1:6], |product[5:0]} + {not_minor[A-1], not_minor, 1'b1};
+    exceeds = sum[A+1];
   endfunction
   always_ff @(posedge clk_i) begin
     three_q  <= (A + 2)'(major2_q) + {1'b0, major2_q, 1'b0};
@@ -81,35 +81,36 @@ module direction #(
     minor3_q <= minor2_q;
     major3_q <= major2_q;
 
-    six_q         <= T'(three_q) << 1;
     thirteen_q    <= (T'(major3_q) << 3) + T'(five_q);
     nineteen_q    <= (T'(major3_q) << 4) + T'(three_q);
-    twentyseven_q <= (T'(major3_q) << 5) - T'(five_q);
+    twentyseven_q <= (T'(three_q) << 3) + T'(three_q);
     thirtyfour_q  <= (T'(major3_q) << 5) + (T'(major3_q) << 1);
     fortythree_q  <= (T'(five_q) << 3) + T'(three_q);
     fiftythree_q  <= (T'(three_q) << 4) + T'(five_q);
-    minor4_q      <= minor3_q;
+    not_minor4_q  <= ~minor3_q;
 
-    reached_q <= {reaches(fiftythree_q), reaches(fortythree_q), reaches(thirtyfour_q),
-                  reaches(twentyseven_q), reaches(nineteen_q), reaches(thirteen_q),
-                  reaches(six_q)};
+    missed_six_q <= exceeds(T'(three_q) << 1, ~minor3_q);
+    missed_q     <= {exceeds(fiftythree_q, not_minor4_q), exceeds(fortythree_q, not_minor4_q),
+                     exceeds(thirtyfour_q, not_minor4_q), exceeds(twentyseven_q, not_minor4_q),
+                     exceeds(nineteen_q, not_minor4_q), exceeds(thirteen_q, not_minor4_q),
+                     missed_six_q};
   end
 
   // Clocks 1, 2: class.
-  logic [M+2:0] floor3, floor5;
+  logic [M+2:0] not_floor3_q, not_floor5_q;  // of a setting, which holds for a frame
   logic above1_q, above3_q, above5_q;
   logic [1:0] class_q, class_late;
-  assign floor3 = (M + 3)'(branch_floor_i) + {2'b0, branch_floor_i, 1'b0};
-  assign floor5 = (M + 3)'(branch_floor_i) + {1'b0, branch_floor_i, 2'b0};
-  logic [M:0] above1;
-  logic [M+3:0] above3, above5;
-  assign above1 = {1'b0, magnitude} - {1'b0, branch_floor_i};
-  assign above3 = {3'b0, magnitude, 1'b0} - {1'b0, floor3};
-  assign above5 = {3'b0, magnitude, 1'b0} - {1'b0, floor5};
+  logic [M+1:0] margin1;
+  logic [M+3:0] margin3, margin5;
+  assign margin1 = {magnitude[M-1], magnitude, 1'b1} + {magnitude[M-1], ~branch_floor_i, 1'b1};
+  assign margin3 = {magnitude[M-1], 2'b0, magnitude, 1'b1} + {magnitude[M-1], not_floor3_q};
+  assign margin5 = {magnitude[M-1], 2'b0, magnitude, 1'b1} + {magnitude[M-1], not_floor5_q};
   always_ff @(posedge clk_i) begin
-    above1_q <= !above1[M];
-    above3_q <= !above3[M+3];
-    above5_q <= !above5[M+3];
+    not_floor3_q <= ~((M + 3)'(branch_floor_i) + {2'b0, branch_floor_i, 1'b0});
+    not_floor5_q <= ~((M + 3)'(branch_floor_i) + {1'b0, branch_floor_i, 2'b0});
+    above1_q     <= margin1[M+1];
+    above3_q     <= margin3[M+3];
+    above5_q     <= margin5[M+3];
     class_q  <= {above1_q && above3_q, above1_q && (!above3_q || above5_q)};
   end
 
@@ -118,28 +119,25 @@ module direction #(
   logic [2:0] step;
   always_comb begin
     step = 3'd0;
-    for (int k = 0; k < 7; k++) if (reached_q[k]) step = 3'(k + 1);
+    for (int k = 0; k < 7; k++) if (!missed_q[k]) step = 3'(k + 1);
   end
   always_ff @(posedge clk_i) begin
     data_o <= class_late == 2'd0 ? 7'd0
         : {class_late, odd_late, !lower_late, lower_late ? step : ~step};
   end
 
-  delay_line #(
-      .Width (1),
+  payload_delay #(
       .Clocks(4)
   ) i_odd (
       .clk_i,
-      .rst_ni,
       .data_i(odd_q),
       .data_o(odd_late)
   );
-  delay_line #(
+  payload_delay #(
       .Width (3),
       .Clocks(3)
   ) i_octant (
       .clk_i,
-      .rst_ni,
       .data_i({class_q, lower2_q}),
       .data_o({class_late, lower_late})
   );

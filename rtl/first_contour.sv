@@ -10,7 +10,7 @@
 //   crest = first and m(p - s) < c and m(p + s) <= c, s the step across the contour (gradient)
 //
 //   noise_floor_i, mean_limit_i   thresholds
-//   slot in, out                  see line_window; data_i = {step, magnitude}
+//   slot in, out                  see line_window; data_i = {step, magnitude}, one clock behind its slot
 //   data_o                        one clock behind its slot: {crest, first} of the centre pixel,
 //                                 magnitudes of the pixels two and one above it and its own
 //
@@ -78,103 +78,62 @@ module first_contour #(
       .end_fault_o()
   );
 
-  // Clocks 1-6: sum (clock 6) and count (clock 3) of the neighbours that are not above the centre,
-  // each lifted by C = highest magnitude - c: n + C is what the comparison's subtraction leaves.
-  // Hence 32 sum{n + C} < (mean_limit c + 32 C) count.
-  logic [M-1:0] centre;
-  logic [24*M-1:0] kept_q;
-  logic [23:0] keeps_q;
-  logic [12*(M+1)-1:0] sum12_q;
-  logic [6*(M+2)-1:0] sum6_q;
-  logic [3*(M+3)-1:0] sum3_q;
-  logic [M+3:0] sum2_q;
-  logic [M+2:0] sum1_q;
-  logic [M+4:0] sum_q;
-  logic [17:0] count6_q;
-  logic [4:0] count_q;
+  // The pixel that becomes the centre with the next column: inverted, since the carry chains of small
+  // FPGAs only add, and three quarters of it, rounded up, inverted.
+  logic [M-1:0] centre, next, not_centre_q, not_strong_q;
   assign centre = window[12*M+:M];
-
-  // Comparisons by the borrow of a subtraction: one carry chain, and the inverted b is shared.
-  function automatic logic below(input logic [M+1:0] a, input logic [M+1:0] b);
-    logic [M+2:0] difference;
-    difference = {1'b0, a} - {1'b0, b};
-    below = difference[M+2];
-  endfunction
-  logic [24*(M+2)-1:0] differences;
-  for (genvar i = 0; i < 24; i++) begin : gen_differences
-    assign differences[i*(M+2)+:M+2] = {1'b0, window[(i<12?i:i+1)*M+:M], 1'b0} -
-                                       {1'b0, centre, 1'b1};
-  end
-
+  assign next   = window[17*M+:M];
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < 24; i++) begin
-      keeps_q[i]     <= differences[i*(M+2)+M+1];
-      kept_q[i*M+:M] <= differences[i*(M+2)+M+1] ? differences[i*(M+2)+1+:M] : '0;
+    if (column_valid) begin
+      not_centre_q <= ~next;
+      not_strong_q <= ~next + (next >> 2);
     end
-    for (int i = 0; i < 12; i++) begin
-      sum12_q[i*(M+1)+:M+1] <= (M + 1)'(kept_q[2*i*M+:M]) + (M + 1)'(kept_q[(2*i+1)*M+:M]);
-    end
-    for (int i = 0; i < 6; i++) begin
-      count6_q[3*i+:3] <= 3'(keeps_q[4*i]) + 3'(keeps_q[4*i+1]) + 3'(keeps_q[4*i+2]) +
-                          3'(keeps_q[4*i+3]);
-      sum6_q[i*(M+2)+:M+2] <= (M + 2)'(sum12_q[2*i*(M+1)+:M+1]) +
-                              (M + 2)'(sum12_q[(2*i+1)*(M+1)+:M+1]);
-    end
-    for (int i = 0; i < 3; i++) begin
-      sum3_q[i*(M+3)+:M+3] <= (M + 3)'(sum6_q[2*i*(M+2)+:M+2]) +
-                              (M + 3)'(sum6_q[(2*i+1)*(M+2)+:M+2]);
-    end
-    sum2_q       <= (M + 4)'(sum3_q[0+:M+3]) + (M + 4)'(sum3_q[M+3+:M+3]);
-    sum1_q       <= sum3_q[2*(M+3)+:M+3];
-    sum_q        <= (M + 5)'(sum2_q) + (M + 5)'(sum1_q);
-    count_q      <= ((5'(count6_q[0+:3]) + 5'(count6_q[3+:3])) +
-                     (5'(count6_q[6+:3]) + 5'(count6_q[9+:3]))) +
-                    (5'(count6_q[12+:3]) + 5'(count6_q[15+:3]));
   end
 
-  // Clocks 1-6: (mean_limit c + 32 C) count.
-  logic [M+4:0] limit;
-  logic [M+9:0] bound;
-  scale5 #(
-      .Width(M)
-  ) i_limit (
+  // Clocks 1-7.
+  logic above;
+  neighbour_mean #(
+      .MagnitudeBits(M)
+  ) i_mean (
       .clk_i,
-      .value_i  (centre),
-      .factor_i (mean_limit_i),
-      .offset_i (~centre),
-      .product_o(limit)
+      .mean_limit_i,
+      .window_i(window),
+      .lift_i(not_centre_q),
+      .above_o(above)
   );
-  scale5 #(
-      .Width(M + 5)
-  ) i_bound (
-      .clk_i,
-      .value_i  (limit),
-      .factor_i (count_q),
-      .offset_i ({(M + 5) {1'b0}}),
-      .product_o(bound)
-  );
+
+  // a >= b and a > b, by the carry of a sum. Top bit: see neighbour_mean.
+  function automatic logic reaches(input logic [M-1:0] a, input logic [M-1:0] not_b);
+    logic [M+1:0] sum;
+    sum = {a[M-1], a, 1'b1} + {a[M-1], not_b, 1'b1};
+    reaches = sum[M+1];
+  endfunction
+  function automatic logic exceeds(input logic [M-1:0] a, input logic [M-1:0] not_b);
+    logic [M:0] sum;
+    sum = {a[M-1], a} + {a[M-1], not_b};
+    exceeds = sum[M];
+  endfunction
 
   // Clocks 1, 2: inner neighbours (columns 1-3, rows 1-3) that can carry a path, and the path.
   logic [8*M-1:0] inner;
-  logic [M+1:0] centre3_q;
   logic [7:0] on_q;
-  logic floor_q, path_q;
+  logic in_frame_q, faint_q, path_q;
   logic nw, n, ne, w, e, sw, s, se;
   assign inner = {window[16*M+:3*M], window[13*M+:M], window[11*M+:M], window[6*M+:3*M]};
   assign {se, e, ne, s, n, sw, w, nw} = on_q;
   always_ff @(posedge clk_i) begin
-    // Three times the pixel that becomes the centre with the next column.
-    if (column_valid) centre3_q <= (M + 2)'(window[17*M+:M]) + {1'b0, window[17*M+:M], 1'b0};
-    for (int i = 0; i < 8; i++) on_q[i] <= !below({inner[i*M+:M], 2'b0}, centre3_q);
-    floor_q <= in_frame && !below({2'b0, centre}, {2'b0, noise_floor_i});
-    path_q  <= floor_q && ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
-                           (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
-                           (ne && (sw || se)) || (sw && se));
+    for (int i = 0; i < 8; i++) on_q[i] <= reaches(inner[i*M+:M], not_strong_q);
+    in_frame_q <= in_frame;
+    faint_q    <= exceeds(noise_floor_i, not_centre_q);
+    path_q     <= in_frame_q && !faint_q &&
+                  ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
+                   (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
+                   (ne && (sw || se)) || (sw && se));
   end
 
-  // Clocks 1, 2: highest across the contour.
-  logic [M-1:0] before_q, after_q, centre1_q;
-  logic highest_q;
+  // Clocks 1-3: highest across the contour.
+  logic [M-1:0] before_q, after_q, not_centre1_q;
+  logic before_reaches_q, after_exceeds_q, highest_q;
   always_ff @(posedge clk_i) begin
     case (step)
       2'd0: {before_q, after_q} <= {window[7*M+:M], window[17*M+:M]};
@@ -182,48 +141,54 @@ module first_contour #(
       2'd2: {before_q, after_q} <= {window[6*M+:M], window[18*M+:M]};
       default: {before_q, after_q} <= {window[8*M+:M], window[16*M+:M]};
     endcase
-    centre1_q <= centre;
-    highest_q <= below({1'b0, before_q, 1'b0}, {1'b0, centre1_q, 1'b0}) &&
-                 below({1'b0, after_q, 1'b0}, {1'b0, centre1_q, 1'b1});
+    not_centre1_q    <= not_centre_q;
+    before_reaches_q <= reaches(before_q, not_centre1_q);
+    after_exceeds_q  <= exceeds(after_q, not_centre1_q);
+    highest_q        <= !before_reaches_q && !after_exceeds_q;
   end
 
   // Clock 7.
-  logic path_late, highest_late, first, crest_q, first_q;
-  logic [M+10:0] margin;
-  assign margin = {1'b0, sum_q, 5'b0} - {1'b0, bound};
-  assign first  = path_late && margin[M+10];
-  always_ff @(posedge clk_i) begin
-    first_q <= first;
-    crest_q <= first && highest_late;
-  end
-  delay_line #(
-      .Width (2),
-      .Clocks(Latency - 3)
+  logic path_late, highest_late, first;
+  assign first = path_late && above;
+  payload_delay #(
+      .Clocks(Latency - 2)
   ) i_path (
       .clk_i,
-      .rst_ni,
-      .data_i({path_q, highest_q}),
-      .data_o({path_late, highest_late})
+      .data_i(path_q),
+      .data_o(path_late)
+  );
+  payload_delay #(
+      .Clocks(Latency - 3)
+  ) i_highest (
+      .clk_i,
+      .data_i(highest_q),
+      .data_o(highest_late)
   );
 
   logic [3*M-1:0] magnitudes_late;
-  assign data_o = {crest_q, first_q, magnitudes_late};
-  delay_line #(
+  assign data_o = {first && highest_late, first, magnitudes_late};
+  payload_delay #(
       .Width (3 * M),
       .Clocks(Latency)
   ) i_magnitudes (
       .clk_i,
-      .rst_ni,
       .data_i({window[10*M+:M], window[11*M+:M], centre}),
       .data_o(magnitudes_late)
   );
-  delay_line #(
-      .Width (6),
+  slot_delay #(
       .Clocks(Latency - 1)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid, sol, sof, is_real, fault}),
-      .data_o({valid_o, sol_o, sof_o, real_o, fault_o})
+      .valid_i(valid),
+      .sol_i(sol),
+      .sof_i(sof),
+      .real_i(is_real),
+      .fault_i(fault),
+      .valid_o,
+      .sol_o,
+      .sof_o,
+      .real_o,
+      .fault_o
   );
 endmodule

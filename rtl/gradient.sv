@@ -6,12 +6,13 @@
 //   step       neighbour along the gradient: 0 horizontal (2 |gy| < |gx|), 1 vertical
 //              (2 |gx| < |gy|), else 2 falling (gx and gy of one sign), 3 rising
 //
-//   slot in, out      see slot_tracker; data_o = {step, magnitude} of the centre pixel
+//   slot in, out      see slot_tracker; data_o = {step, magnitude} of the centre pixel, one clock
+//                     behind its slot
 //   tail_column_o     in the clocks with tail_column_valid_o, the window's five oldest rows: around
 //                     the centre that leaves second_contour, for slope
 //   tail_*            one clock later, the slot stream six rows back
 //
-// Latency 2 rows + 2 columns + 10 clocks, 1 beat per clock. Border: magnitude 0.
+// Latency 2 rows + 2 columns + 8 clocks (data_o 9), 1 beat per clock. Border: magnitude 0.
 module gradient #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -41,9 +42,11 @@ module gradient #(
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
   localparam int Rows = 11;
-  localparam int Latency = 8;
+  localparam int Latency = 6;
 
-  logic sol, sof, is_real, in_frame, in_frame_late;
+  logic valid, sol, sof, is_real, in_frame, in_frame_late;
+  logic [7:0] pixel_q;
+  always_ff @(posedge clk_i) pixel_q <= data_i;
   logic [1:0] fault;
   logic [39:0] column;
   logic [8*(Rows-10)-1:0] unused_rows;
@@ -59,13 +62,13 @@ module gradient #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i,
+      .data_i(pixel_q),
       .side_i(1'b0),
       .column_valid_o(tail_column_valid_o),
       .column_o({column, unused_rows, tail_column_o}),
       .window_o(),
       .side_o(),
-      .valid_o(tail_valid_o),
+      .valid_o(valid),
       .sol_o(sol),
       .eol_o(),
       .sof_o(sof),
@@ -88,43 +91,51 @@ module gradient #(
       .clk_i,
       .valid_i(tail_column_valid_o),
       .column_i(column),
+      .inside_i(in_frame_late),
       .gx_o(gx),
       .gy_o(gy),
       .magnitude_o(magnitude)
   );
 
-  // Clocks 7-9. |gx|, |gy| < 96 scale fit S - 1 bits.
+  assign tail_valid_o = valid;
+
+  // Clocks 7, 8. |gx|, |gy| < 96 scale fit S - 1 bits. Top bits of the margins: see neighbour_mean.
   logic [S-2:0] ax_q, ay_q;
   logic same_sign_q, same_sign_late_q, horizontal_q, vertical_q;
-  logic [S:0] steep_x, steep_y;
-  assign steep_x = {1'b0, ay_q, 1'b0} - {2'b0, ax_q};
-  assign steep_y = {1'b0, ax_q, 1'b0} - {2'b0, ay_q};
+  logic [S:0] margin_x, margin_y;
+  assign margin_x = {ay_q[S-2], 1'b0, ax_q} - {!ay_q[S-2], ay_q, 1'b1};
+  assign margin_y = {ay_q[S-2], ax_q, 1'b0} - {!ay_q[S-2], 1'b0, ay_q};
   always_ff @(posedge clk_i) begin
     ax_q             <= gx[S-1] ? (S - 1)'(-gx) : gx[S-2:0];
     ay_q             <= gy[S-1] ? (S - 1)'(-gy) : gy[S-2:0];
     same_sign_q      <= gx[S-1] == gy[S-1];
-    horizontal_q     <= steep_x[S];
-    vertical_q       <= steep_y[S];
+    horizontal_q     <= margin_x[S];
+    vertical_q       <= !margin_y[S];
     same_sign_late_q <= same_sign_q;
-    data_o <= {!horizontal_q && !vertical_q, vertical_q || (!horizontal_q && !same_sign_late_q),
-               in_frame_late ? magnitude : {M{1'b0}}};
   end
+  assign data_o = {!horizontal_q && !vertical_q,
+                   vertical_q || (!horizontal_q && !same_sign_late_q), magnitude};
 
-  delay_line #(
-      .Width (6),
+  slot_delay #(
       .Clocks(Latency)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({tail_valid_o, sol, sof, is_real, fault}),
-      .data_o({valid_o, sol_o, sof_o, real_o, fault_o})
+      .valid_i(valid),
+      .sol_i(sol),
+      .sof_i(sof),
+      .real_i(is_real),
+      .fault_i(fault),
+      .valid_o,
+      .sol_o,
+      .sof_o,
+      .real_o,
+      .fault_o
   );
-  delay_line #(
-      .Width (1),
-      .Clocks(Latency - 1)
+  payload_delay #(
+      .Clocks(Latency)
   ) i_in_frame (
       .clk_i,
-      .rst_ni,
       .data_i(in_frame),
       .data_o(in_frame_late)
   );

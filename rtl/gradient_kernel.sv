@@ -9,6 +9,7 @@
 // away from zero: mirrored images have mirrored gradients.
 //
 //   valid_i, column_i  newest column of the window, oldest row in the low byte
+//   inside_i           7 clocks later: 0 makes this window's magnitude 0
 //   gx_o, gy_o         6 clocks later, |.| < 96 grey levels per px
 //   magnitude_o        8 clocks later
 //
@@ -19,6 +20,7 @@ module gradient_kernel #(
     input  logic                           clk_i,
     input  logic                           valid_i,
     input  logic        [            39:0] column_i,
+    input  logic                           inside_i,
     output logic signed [FractionBits+7:0] gx_o,
     output logic signed [FractionBits+7:0] gy_o,
     output logic        [FractionBits+5:0] magnitude_o
@@ -59,7 +61,10 @@ module gradient_kernel #(
   // Clocks 5-8: the magnitude. A negative value's bits are inverted, which leaves its absolute
   // value 1 too small; those ones join the sum at the end.
   logic [14:0] h5_q, v5_q;
-  logic [14:0] a5_q, b5_q, diagonal6_q;  // lowest bit: 1 too small
+  logic [14:0] not_a5_q, b5_q, diagonal6_q;  // lowest bit: 1 too small
+  logic [14:0] unused_difference;
+  logic b_larger;
+  assign {b_larger, unused_difference} = {1'b0, b5_q} + {1'b0, not_a5_q};
   logic h_negative5_q, v_negative5_q, h_negative6_q, v_negative6_q;
   logic [1:0] missing7_q;
   logic [15:0] straight6_q;
@@ -69,17 +74,17 @@ module gradient_kernel #(
   always_ff @(posedge clk_i) begin
     h5_q <= h[14:0] ^ {15{h[15]}};
     v5_q <= v[14:0] ^ {15{v[15]}};
-    a5_q <= {a[13:0] ^ {14{a[14]}}, a[14]};
+    not_a5_q <= ~{a[13:0] ^ {14{a[14]}}, a[14]};
     b5_q <= {b[13:0] ^ {14{b[14]}}, b[14]};
     {h_negative5_q, v_negative5_q} <= {h[15], v[15]};
 
     straight6_q <= 16'(h5_q) + 16'(v5_q);
-    diagonal6_q <= {a5_q, 1'b0} < {b5_q, 1'b1} ? b5_q : a5_q;
+    diagonal6_q <= b_larger ? b5_q : ~not_a5_q;
     {h_negative6_q, v_negative6_q} <= {h_negative5_q, v_negative5_q};
 
     sum7_q     <= 17'(straight6_q) + {1'b0, diagonal6_q, diagonal6_q[0]};
     missing7_q <= 2'(h_negative6_q) + 2'(v_negative6_q) + 2'(diagonal6_q[0]);
 
-    magnitude_o <= |units[16-Shift:M] ? '1 : units[M-1:0];
+    magnitude_o <= !inside_i ? '0 : |units[16-Shift:M] ? '1 : units[M-1:0];
   end
 endmodule

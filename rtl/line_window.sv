@@ -2,7 +2,8 @@
 //
 // The neighbourhood of every pixel of a stream of row slots, from one line memory.
 //
-//   slot in    see slot_tracker; data_i one pixel, side_i what only the centre needs
+//   slot in    see slot_tracker; one clock behind it data_i, one pixel, and side_i, what only the
+//              centre needs
 //   column_o   the newest column straight from the memory, oldest row in the low bits, in the
 //              clocks with column_valid_o: for a kernel that keeps its own column sums
 //   window_o   one clock later, five columns; pixel (column i, row j) at bit (Rows i + j) Width,
@@ -89,10 +90,8 @@ module line_window #(
 
   // Clock 0: the column's older pixels are read, oldest in the low bits; clock 1: written back
   // with the new one in place of the oldest.
-  logic [Width-1:0] data1_q;
   logic [MemoryWidth-1:0] memory_in, memory_out;
-  assign memory_in[OlderWidth-1:0] = {data1_q, memory_out[OlderWidth-1:Width]};
-  always_ff @(posedge clk_i) data1_q <= data_i;
+  assign memory_in[OlderWidth-1:0] = {data_i, memory_out[OlderWidth-1:Width]};
 
   line_memory #(
       .Width(MemoryWidth),
@@ -108,15 +107,14 @@ module line_window #(
 
   // Side data wait in the memory and two columns in registers.
   if (SideWidth > 0) begin : gen_side
-    logic [SideWidth-1:0] side1_q, side2_q, side3_q, side_late;
+    logic [SideWidth-1:0] side2_q, side3_q, side_late;
     if (SideRows == 2) begin : gen_rows
-      assign memory_in[MemoryWidth-1:OlderWidth] = {side1_q, memory_out[MemoryWidth-1-:SideWidth]};
+      assign memory_in[MemoryWidth-1:OlderWidth] = {side_i, memory_out[MemoryWidth-1-:SideWidth]};
       assign side_late = memory_out[OlderWidth+:SideWidth];
     end else begin : gen_no_rows
-      assign side_late = side1_q;
+      assign side_late = side_i;
     end
     always_ff @(posedge clk_i) begin
-      side1_q <= side_i;
       if (valid1) begin
         side2_q <= side_late;
         side3_q <= side2_q;
@@ -131,7 +129,7 @@ module line_window #(
 
   // Clock 1: the new column joins the window.
   assign column_valid_o = valid1;
-  assign column_o = {data1_q, memory_out[OlderWidth-1:0]};
+  assign column_o = {data_i, memory_out[OlderWidth-1:0]};
   always_ff @(posedge clk_i) begin
     if (valid1) window_o <= {column_o, window_o[5*Rows*Width-1:Rows*Width]};
   end

@@ -8,12 +8,13 @@
 //   support_i, noise_floor_i   thresholds
 //   slot in, data_i            see first_contour
 //   slot out, data_o           {floor, first} of the pixel two rows above the centre, which
-//                              second_contour needs next, and ridge of the centre pixel
+//                              second_contour needs next, and ridge of the centre pixel, one clock
+//                              behind their slot
 //
 // The magnitudes of a row and the two above come with data_i; two older ones wait in the line
 // memory. The sum goes column by column, then along the row.
 //
-// Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no ridge.
+// Latency 2 rows + 2 columns + 5 clocks (data_o 6), 1 beat per clock. Border: no ridge.
 module ridge #(
     parameter int MaxWidthPx    = 1920,
     parameter int MagnitudeBits = 9
@@ -108,7 +109,7 @@ module ridge #(
   // Clock 4: sum of the window; sum1_q .. sum4_q are of the last 1 .. 4 columns.
   logic [M+2:0] sum1_q;
   logic [M+3:0] sum2_q;
-  logic [M+4:0] sum3_q, sum4_q, support_q;
+  logic [M+4:0] sum3_q, sum4_q, not_support_q;
   always_ff @(posedge clk_i) begin
     if (valid_q[2]) begin
       sum1_q <= column_q;
@@ -116,7 +117,7 @@ module ridge #(
       sum3_q <= (M + 5)'(sum2_q) + (M + 5)'(column_q);
       sum4_q <= sum3_q + (M + 5)'(column_q);
     end
-    support_q <= sum4_q + (M + 5)'(column_q);
+    not_support_q <= ~(sum4_q + (M + 5)'(column_q));
   end
 
   // Clock 1 and two columns: what the centre column holds, in step with the tracker's centre.
@@ -127,39 +128,36 @@ module ridge #(
     if (valid1) centre_q <= {centre_q[5:0], !above_floor[M], first[4], crest2};
   end
 
-  // Clock 5.
+  // Clock 5. Top bit of the margin: see neighbour_mean.
   logic [1:0] flags_late;
-  logic crest_late, ridge_q;
-  delay_line #(
-      .Width (2),
+  logic crest_late, short_q;
+  payload_delay #(
+      .Width (3),
       .Clocks(Latency)
   ) i_flags (
       .clk_i,
-      .rst_ni,
-      .data_i(centre_q[8:7]),
-      .data_o(flags_late)
+      .data_i({centre_q[8:7], centre_q[6] && in_frame}),
+      .data_o({flags_late, crest_late})
   );
-  delay_line #(
-      .Width (1),
-      .Clocks(Latency - 1)
-  ) i_crest (
-      .clk_i,
-      .rst_ni,
-      .data_i(centre_q[6] && in_frame),
-      .data_o(crest_late)
-  );
-  assign data_o = {flags_late, ridge_q};
+  assign data_o = {flags_late, crest_late && !short_q};
   logic [M+5:0] margin;
-  assign margin = {1'b0, support_q} - {1'b0, support_i};
-  always_ff @(posedge clk_i) ridge_q <= crest_late && !margin[M+5];
+  assign margin = {support_i[M+4], support_i} + {support_i[M+4], not_support_q};
+  always_ff @(posedge clk_i) short_q <= margin[M+5];
 
-  delay_line #(
-      .Width (6),
-      .Clocks(Latency)
+  slot_delay #(
+      .Clocks(Latency - 1)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid, sol, sof, is_real, fault}),
-      .data_o({valid_o, sol_o, sof_o, real_o, fault_o})
+      .valid_i(valid),
+      .sol_i(sol),
+      .sof_i(sof),
+      .real_i(is_real),
+      .fault_i(fault),
+      .valid_o,
+      .sol_o,
+      .sof_o,
+      .real_o,
+      .fault_o
   );
 endmodule

@@ -7,8 +7,9 @@
 //   A pixel off the ridge with floor set closes a gap when its links fall into two or more groups
 //   that do not touch and one of the links is an end (has one link itself).
 //
-//   slot in, out   see slot_tracker; data_i = {floor, first} of the pixel two rows above and ridge,
-//                  data_o = {first, contour} of the centre pixel; eol_o its last column
+//   slot in, out   see slot_tracker; data_i = {floor, first} of the pixel two rows above and ridge, one
+//                  clock behind its slot; data_o = {first, contour} of the centre pixel, eol_o its
+//                  last column
 //
 // Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no contour.
 module second_contour #(
@@ -135,13 +136,28 @@ module second_contour #(
 
   logic first_late;
   assign data_o = {first_late, contour_q};
-  delay_line #(
-      .Width (8),
+  payload_delay #(
+      .Width (2),
+      .Clocks(Latency)
+  ) i_first (
+      .clk_i,
+      .data_i({eol, first}),
+      .data_o({eol_o, first_late})
+  );
+  slot_delay #(
       .Clocks(Latency)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({valid, sol, eol, sof, is_real, fault, first}),
-      .data_o({valid_o, sol_o, eol_o, sof_o, real_o, fault_o, first_late})
+      .valid_i(valid),
+      .sol_i(sol),
+      .sof_i(sof),
+      .real_i(is_real),
+      .fault_i(fault),
+      .valid_o,
+      .sol_o,
+      .sof_o,
+      .real_o,
+      .fault_o
   );
 endmodule

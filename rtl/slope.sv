@@ -9,7 +9,7 @@
 //   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order;
 //                        first_o: a frame's first
 //
-// Latency 2 columns + 9 clocks behind the slot, 1 beat per clock. Border: all 0.
+// Latency 2 columns + 8 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
@@ -30,11 +30,8 @@ module slope #(
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
 
-  // Three clocks after column_i: what a beat is; a frame's first pixel is border.
-  localparam logic [1:0] None = 2'd0, First = 2'd1, Border = 2'd2, Inside = 2'd3;
-  logic valid, is_real, in_frame, sol, sof;
-  logic [1:0] kind, kind_late;
-  assign kind = !(valid && is_real) ? None : sof && sol ? First : in_frame ? Inside : Border;
+  // Clock 3 (column_i is clock 0): what a beat is.
+  logic valid, is_real, in_frame, in_frame_late, sol, sof;
   slot_tracker #(
       .MaxWidthPx(MaxWidthPx)
   ) i_tracker (
@@ -64,7 +61,7 @@ module slope #(
   );
 
   logic signed [S-1:0] gx, gy;
-  logic [2*S-1:0] vector_late;
+  logic [2*S-1:0] vector7_q, vector8_q;
   logic [M-1:0] magnitude;
   gradient_kernel #(
       .FractionBits(FractionBits)
@@ -72,32 +69,32 @@ module slope #(
       .clk_i,
       .valid_i(column_valid_i),
       .column_i,
+      .inside_i(in_frame_late),
       .gx_o(gx),
       .gy_o(gy),
       .magnitude_o(magnitude)
   );
-  delay_line #(
-      .Width (2 * S),
-      .Clocks(2)
-  ) i_vector (
+  payload_delay #(
+      .Clocks(4)
+  ) i_in_frame (
       .clk_i,
-      .rst_ni,
-      .data_i({gy, gx}),
-      .data_o(vector_late)
+      .data_i(in_frame),
+      .data_o(in_frame_late)
   );
   delay_line #(
       .Width (2),
       .Clocks(5)
-  ) i_slot (
+  ) i_beat (
       .clk_i,
       .rst_ni,
-      .data_i(kind),
-      .data_o(kind_late)
+      .data_i({valid && is_real, sof && sol}),
+      .data_o({valid_o, first_o})
   );
 
+  // Clocks 7, 8: the vector waits for the magnitude.
+  assign data_o = {magnitude, vector8_q};
   always_ff @(posedge clk_i) begin
-    valid_o <= rst_ni && kind_late != None;
-    first_o <= kind_late == First;
-    data_o  <= kind_late == Inside ? {magnitude, vector_late} : '0;
+    vector7_q <= {gy, gx};
+    vector8_q <= in_frame_late ? vector7_q : '0;
   end
 endmodule

@@ -78,7 +78,7 @@ module slot_tracker #(
     valid_o     <= rst_ni && valid1_o;
     sol_o       <= col1_o == ColBits'(2);
     eol_o       <= col1_o == ColBits'(1);
-    inside_o    <= rows_inside && (col1_o > ColBits'(3));
+    inside_o    <= rows_inside && |col1_o[ColBits-1:2];
     end_o       <= sol1_q && rows_q[7] && (!rows_q[3] || rows_q[2]);
     end_fault_o <= rows_q[1:0];
     tail_sol_o  <= sol1_q;

@@ -26,9 +26,12 @@ module stream_fifo #(
   end
   localparam int AddressBits = $clog2(Depth);
 
-  logic [AddressBits:0] write_q, read_q, read_d;
+  logic [AddressBits:0] write_q, read_q, read_d, level;
+  logic pop;
 
-  assign read_d = read_q + (AddressBits + 1)'(m_tvalid_o && m_tready_i);
+  assign pop = m_tvalid_o && m_tready_i;
+  assign read_d = read_q + (AddressBits + 1)'(pop);
+  assign level = write_q - read_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -39,8 +42,8 @@ module stream_fifo #(
     end else begin
       write_q    <= write_q + (AddressBits + 1)'(push_i);
       read_q     <= read_d;
-      level_o    <= write_q - read_q;
-      m_tvalid_o <= write_q != read_d;
+      level_o    <= level;
+      m_tvalid_o <= |level[AddressBits:1] || (level[0] && !pop);
     end
   end
 

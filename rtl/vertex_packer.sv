@@ -23,7 +23,7 @@ module vertex_packer #(
     parameter int PatternBits  = 8,
     parameter int StrengthBits = 8,
     parameter int Depth        = 128,  // words that wait for the consumer, a power of two
-    parameter int Reserve      = 28    // records that may come after ready_o has fallen
+    parameter int Reserve      = 32    // records that may come after ready_o has fallen
 ) (
     input  logic                    clk_i,
     input  logic                    rst_ni,
@@ -54,7 +54,7 @@ module vertex_packer #(
 
   // The record that is being sent, low word first, and the end that waits for it.
   logic [15:0] sent_q, lost_q;
-  logic below_limit_q, take_vertex, take_end, end_waits_q;
+  logic below_limit_q, lost_full_q, take_vertex, take_end, end_waits_q;
   logic [1:0] waiting_fault_q, fault;
   logic [2:0] words_q;  // words left, one bit each
   logic [47:0] record_q;
@@ -75,7 +75,9 @@ module vertex_packer #(
     end else begin
       record_q <= {16'b0, record_q[47:16]};
     end
-    below_limit_q <= sent_q < limit_i;  // a clock late: two vertices never come in a row
+    // A clock late: two vertices never come in a row. The limit holds for a frame.
+    below_limit_q <= sent_q != limit_i;
+    lost_full_q   <= lost_q == '1;
     if (end_valid_i) waiting_fault_q <= end_fault_i;
     if (!rst_ni) begin
       {sent_q, lost_q} <= '0;
@@ -88,7 +90,7 @@ module vertex_packer #(
         {sent_q, lost_q} <= '0;
       end else if (take_vertex) begin
         sent_q <= sent_q + 16'd1;
-      end else if (vertex_valid_i && lost_q != '1) begin
+      end else if (vertex_valid_i && !lost_full_q) begin
         lost_q <= lost_q + 16'd1;
       end
     end

@@ -12,7 +12,7 @@
 //           pixel is a branch pixel
 //
 //   min_turn_i        threshold, 1/64 turn
-//   slot in           see slot_tracker; data_i direction, 0 for no branch pixel
+//   slot in           see slot_tracker; data_i direction, 0 for no branch pixel, one clock behind it
 //   slot out          of the centre; value_o; above_o: whether the pixels one (bit 1) and two above
 //                     the centre are branch pixels
 //

@@ -62,6 +62,9 @@ module vertices #(
       .m_tdata_o(direction)
   );
 
+  logic [6:0] contour_direction_q;
+  always_ff @(posedge clk_i) contour_direction_q <= contour_i ? direction : '0;
+
   logic value_valid, value_sol, value_sof, value_real;
   logic [1:0] value_fault;
   logic value;
@@ -77,7 +80,7 @@ module vertices #(
       .sof_i,
       .real_i,
       .fault_i,
-      .data_i(contour_i ? direction : '0),
+      .data_i(contour_direction_q),
       .valid_o(value_valid),
       .sol_o(value_sol),
       .sof_o(value_sof),
