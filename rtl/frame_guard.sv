@@ -82,7 +82,7 @@ module frame_guard #(
   // For what is in flight to leave wait a start of frame, until new settings are loaded, and a first
   // line, taken but not announced.
   logic settings_wait_q, settings_loaded_q, width_wait_q, go, settings_stop;
-  logic take, arrival, start, step, commit, bad, timeout, end_now;
+  logic take, arrival, start, step, commit, bad, timed_out, timeout, end_now;
   logic in_line, fits, must_end, same_width, last_row, over_max, few_rows, height_known;
   line_checks #(
       .MaxWidthPx (MaxWidthPx),
@@ -109,7 +109,6 @@ module frame_guard #(
       .height_known_o(height_known)
   );
 
-  logic idle_timeout_q;
   assign go = ring_ready_i && line_ready_i && !width_wait_q;
   assign settings_stop = sof && settings_changed_i && !settings_loaded_q;
   assign in_ready = go && !settings_stop;
@@ -119,7 +118,7 @@ module frame_guard #(
   assign step = take && !sof && active_q;
   assign commit = step && eol && fits;
   assign bad = step && (eol ? !fits : must_end);
-  assign timeout = idle_timeout_q && !in_valid && go && active_q && begun_q && !in_line &&
+  assign timeout = timed_out && !in_valid && go && active_q && begun_q && !in_line &&
                    !height_known;
   // The frame that has begun ends with this pixel (or, by timeout, without one).
   assign end_now = timeout || (active_q && begun_q && (arrival || bad || (commit && last_row)));
@@ -174,33 +173,29 @@ module frame_guard #(
     end
   end
 
-  logic [19:0] idle_clocks_q;
+  // Both run while nothing arrives; the count down to the time-out ends below 0.
+  logic [4:0] idle_clocks_q;
+  logic [20:0] idle_left_q;
+  assign {idle_o, timed_out} = {idle_clocks_q[4], idle_left_q[20]};
   always_ff @(posedge clk_i) begin
-    idle_timeout_q <= !in_valid && idle_clocks_q >= flush_timeout_i;
-    idle_o         <= !in_valid && (idle_o || idle_clocks_q[4]);
     if (!rst_ni || in_valid) idle_clocks_q <= '0;
-    else if (!(&idle_clocks_q)) idle_clocks_q <= idle_clocks_q + 20'd1;
+    else if (!idle_o) idle_clocks_q <= idle_clocks_q + 5'd1;
+    if (!rst_ni || in_valid) idle_left_q <= {1'b0, flush_timeout_i};
+    else if (!timed_out) idle_left_q <= idle_left_q - 21'd1;
   end
 
   always_ff @(posedge clk_i) begin
-    event_o <= '0;
-    if (rst_ni) begin
-      event_o[ShortLine]  <= step && eol && begun_q && !same_width;
-      event_o[LongLine]   <= step && !eol && begun_q && must_end;
-      event_o[TooWide]    <= step && !eol && !begun_q && must_end;
-      event_o[TooNarrow]  <= take && eol && (sof ? enable_i : active_q && !begun_q && !fits);
-      event_o[TooTall]    <= step && eol && begun_q && same_width && !fits;
-      event_o[NoStart]    <= take && !sof && !active_q && !quiet_q;
-      event_o[EarlyStart] <= arrival && active_q && (in_line || height_known);
-      event_o[TooFewRows] <= end_now && few_rows && !bad && !(arrival && (in_line || height_known));
-    end
+    event_o[ShortLine]  <= step && eol && begun_q && !same_width;
+    event_o[LongLine]   <= step && !eol && begun_q && must_end;
+    event_o[TooWide]    <= step && !eol && !begun_q && must_end;
+    event_o[TooNarrow]  <= take && eol && (sof ? enable_i : active_q && !begun_q && !fits);
+    event_o[TooTall]    <= step && eol && begun_q && same_width && !fits;
+    event_o[NoStart]    <= take && !sof && !active_q && !quiet_q;
+    event_o[EarlyStart] <= arrival && active_q && (in_line || height_known);
+    event_o[TooFewRows] <= end_now && few_rows && !bad && !(arrival && (in_line || height_known));
   end
 
-  // Only whole lines are announced, and only lines of a frame that has a first one.
   always_ff @(posedge clk_i) begin
-    if (rst_ni && line_valid_o) begin
-      assert (line_whole_o || !line_first_o);
-      assert (!(line_last_o && line_first_o));
-    end
+    if (rst_ni && line_valid_o) assert (!line_first_o || (line_whole_o && !line_last_o));
   end
 endmodule
