@@ -8,7 +8,8 @@
 //           64 min(|gx|, |gy|) >= t max(|gx|, |gy|) reaches
 //
 //   branch_floor_i  threshold, 1 ..
-//   valid_i, data_i {magnitude, gy, gx};  valid_o, data_o {class, sector}, 0 for class 0
+//   valid_i, data_i {magnitude, gy, gx}, first_i one that is valid and a frame's first
+//   valid_o, data_o {class, sector}, 0 for class 0; first_o
 //
 // Latency 6 clocks, 1 pixel per clock.
 module direction #(
@@ -18,8 +19,10 @@ module direction #(
     input  logic                       rst_ni,
     input  logic [   FractionBits+5:0] branch_floor_i,
     input  logic                       valid_i,
+    input  logic                       first_i,
     input  logic [3*FractionBits+21:0] data_i,
     output logic                       valid_o,
+    output logic                       first_o,
     output logic [                6:0] data_o
 );
   if (FractionBits < 0 || FractionBits > 6) begin : gen_illegal
@@ -142,12 +145,12 @@ module direction #(
       .data_o({class_late, lower_late})
   );
   delay_line #(
-      .Width (1),
+      .Width (2),
       .Clocks(6)
   ) i_valid (
       .clk_i,
       .rst_ni,
-      .data_i(valid_i),
-      .data_o(valid_o)
+      .data_i({first_i, valid_i}),
+      .data_o({first_o, valid_o})
   );
 endmodule

@@ -2,7 +2,8 @@
 //
 // Stage 4: vertices from the second contour and the gradient along it.
 //
-//   slope_*      {magnitude, gy, gx} of each real pixel, raster order; some clocks ahead of
+//   slope_*      {magnitude, gy, gx} of each real pixel, raster order, slope_first_i at a frame's
+//                first; some clocks ahead of
 //   slot in      see slot_tracker; contour_i the second contour
 //   branch_floor_i, min_turn_i   thresholds, see direction, vertex_value
 //   vertex_*, end_*              see vertex_peak
@@ -18,6 +19,7 @@ module vertices #(
     input  logic [   FractionBits+5:0] branch_floor_i,
     input  logic [                4:0] min_turn_i,
     input  logic                       slope_valid_i,
+    input  logic                       slope_first_i,
     input  logic [3*FractionBits+21:0] slope_data_i,
     input  logic                       valid_i,
     input  logic                       sol_i,
@@ -34,8 +36,12 @@ module vertices #(
     output logic                       end_valid_o,
     output logic [                1:0] end_fault_o
 );
-  // The directions wait for the contour: 6 columns and some clocks.
-  logic direction_in_valid, direction_valid;
+  // The directions wait for the contour: 6 columns and some clocks. A frame's first pixel, which is
+  // border, does not; the second is marked. Where the mark is not in its place, an upset has lost or made
+  // up a direction: what waits is thrown away when the next frame begins.
+  logic direction_in_valid, direction_in_first, direction_in_second_q;
+  logic direction_valid, direction_marked, direction_here;
+  logic first, second_q, out_of_step_q;
   logic [6:0] direction_in, direction;
   direction #(
       .FractionBits(FractionBits)
@@ -44,23 +50,36 @@ module vertices #(
       .rst_ni,
       .branch_floor_i,
       .valid_i(slope_valid_i),
+      .first_i(slope_first_i),
       .data_i (slope_data_i),
       .valid_o(direction_in_valid),
+      .first_o(direction_in_first),
       .data_o (direction_in)
   );
   stream_fifo #(
-      .Width(7),
+      .Width(8),
       .Depth(64)
   ) i_directions (
       .clk_i,
-      .rst_ni,
-      .push_i(direction_in_valid),
-      .data_i(direction_in),
+      .rst_ni(rst_ni && !(direction_in_first && out_of_step_q)),
+      .push_i(direction_in_valid && !direction_in_first),
+      .data_i({direction_in_second_q, direction_in}),
       .level_o(),
       .m_tvalid_o(direction_valid),
-      .m_tready_i(valid_i && real_i),
-      .m_tdata_o(direction)
+      .m_tready_i(valid_i && real_i && !first && (second_q || !direction_marked)),
+      .m_tdata_o({direction_marked, direction})
   );
+  assign first = sol_i && sof_i;
+  assign direction_here = direction_valid && direction_marked == second_q;
+  always_ff @(posedge clk_i) begin
+    if (direction_in_valid) direction_in_second_q <= direction_in_first;
+    if (!rst_ni) begin
+      {second_q, out_of_step_q} <= '0;
+    end else if (valid_i && real_i) begin
+      second_q <= first;
+      if (!first && (second_q || !direction_here)) out_of_step_q <= !direction_here;
+    end
+  end
 
   logic [6:0] contour_direction_q;
   always_ff @(posedge clk_i) contour_direction_q <= contour_i ? direction : '0;
@@ -114,6 +133,6 @@ module vertices #(
 
   // Every contour pixel finds its direction waiting.
   always_ff @(posedge clk_i) begin
-    if (rst_ni && valid_i && real_i) assert (direction_valid);
+    if (rst_ni && valid_i && real_i) assert (first || direction_here);
   end
 endmodule

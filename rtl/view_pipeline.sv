@@ -236,6 +236,7 @@ module view_pipeline #(
       .branch_floor_i(branch_floor),
       .min_turn_i(min_turn),
       .slope_valid_i(slope_valid),
+      .slope_first_i(slope_first),
       .slope_data_i(slope_data),
       .valid_i(second_valid),
       .sol_i(second_sol),
