@@ -101,81 +101,87 @@ module vertex_peak #(
       .rdata_o({older_on, older})
   );
 
-  // Clock 2: the column. Clock 3: scores of the rows above, at and below the centre.
-  logic [6:0] column_q, above3, at3, below3;
+  // Clock 2: the column. Clock 4: scores of the rows above, at and below the centre.
+  logic [6:0] column_q, above4, at4, below4;
   always_ff @(posedge clk_i) column_q <= values;
   vertex_score i_above (
       .clk_i,
       .valid_i (valid2),
       .column_i(column_q[4:0]),
-      .score_o (above3)
+      .score_o (above4)
   );
   vertex_score i_at (
       .clk_i,
       .valid_i (valid2),
       .column_i(column_q[5:1]),
-      .score_o (at3)
+      .score_o (at4)
   );
   vertex_score i_below (
       .clk_i,
       .valid_i (valid2),
       .column_i(column_q[6:2]),
-      .score_o (below3)
+      .score_o (below4)
   );
 
-  // Clocks 4-7: maxima of each column; of columns from two right of the centre (low bits) to two
-  // left of it.
-  logic [6:0] above_plus1, at_plus1, d4_q, at4_q, d5_q, at5_q, left5_q, right5_q, centre, at7_q;
-  logic [13:0] right6_q;
-  logic [20:0] at6_q, d6_q;
-  logic [34:0] left6_q;
-  logic valid5, valid6, valid7, sol6, sof6, rows_inside6, inside_q, peak7_q;
-  assign above_plus1 = above3 + 7'd1;
-  assign at_plus1 = at4_q + 7'd1;
-  assign centre = at6_q[20:14];
+  // Clocks 5-8: maxima of each column; of columns from two right of the centre (low bits) to two
+  // left of it. The centre waits inverted: carry chains of small FPGAs only add.
+  logic [6:0] above_plus1, at_plus1, d5_q, at5_q, d6_q, at6_q, left6_q, right6_q, not_centre_q;
+  logic [13:0] right7_q, at7_q;
+  logic [20:0] d7_q;
+  logic [34:0] left7_q;
+  logic valid6, valid7, sol7, sof7, rows_inside7, inside_q, candidate_q;
+  logic [4:0] exceeds_q;
+  assign above_plus1 = above4 + 7'd1;
+  assign at_plus1 = at5_q + 7'd1;
+  // Top bit: see neighbour_mean.
+  function automatic logic exceeds_centre(input logic [6:0] score);
+    logic [6:0] unused_sum;
+    {exceeds_centre, unused_sum} = {not_centre_q[6], score} + {not_centre_q[6], not_centre_q};
+  endfunction
   always_ff @(posedge clk_i) begin
-    d4_q  <= above_plus1 > below3 ? above_plus1 : below3;
-    at4_q <= at3;
+    d5_q  <= above_plus1 > below4 ? above_plus1 : below4;
+    at5_q <= at4;
 
-    left5_q  <= d4_q > at_plus1 ? d4_q : at_plus1;
-    right5_q <= d4_q > at4_q ? d4_q : at4_q;
-    d5_q     <= d4_q;
-    at5_q    <= at4_q;
+    left6_q  <= d5_q > at_plus1 ? d5_q : at_plus1;
+    right6_q <= d5_q > at5_q ? d5_q : at5_q;
+    d6_q     <= d5_q;
+    at6_q    <= at5_q;
 
-    if (valid5) begin
-      right6_q <= {right6_q[6:0], right5_q};
-      at6_q    <= {at6_q[13:0], at5_q};
-      d6_q     <= {d6_q[13:0], d5_q};
-      left6_q  <= {left6_q[27:0], left5_q};
+    if (valid6) begin
+      right7_q <= {right7_q[6:0], right6_q};
+      {not_centre_q, at7_q} <= {~at7_q[13:7], at7_q[6:0], at6_q};
+      d7_q    <= {d7_q[13:0], d6_q};
+      left7_q <= {left7_q[27:0], left6_q};
     end
 
-    peak7_q <= centre >= LeastScore && centre >= right6_q[6:0] && centre >= right6_q[13:7] &&
-               centre >= d6_q[20:14] && centre >= left6_q[27:21] && centre >= left6_q[34:28];
-    at7_q   <= centre;
+    exceeds_q <= {exceeds_centre(right7_q[6:0]), exceeds_centre(right7_q[13:7]),
+                  exceeds_centre(d7_q[20:14]), exceeds_centre(left7_q[27:21]),
+                  exceeds_centre(left7_q[34:28])};
+    candidate_q       <= rst_ni && valid7 && inside_q && ~not_centre_q >= LeastScore;
+    vertex_strength_o <= ~not_centre_q;
   end
+  assign vertex_valid_o = candidate_q && exceeds_q == '0;
 
-  // Clocks 1-7: the branches around the centre, two columns behind the scores' newest.
-  logic [4:0] on_q, on_late_q, on3;
-  logic valid1_late3;
-  logic [3:0] branches;
-  logic [7:0] pattern;
+  // Clocks 1-8: the branches around the centre, two columns behind the scores' newest.
+  logic [4:0] on_q, on_late_q, on4;
+  logic valid1_late4;
   always_ff @(posedge clk_i) begin
     if (valid1) {on_late_q, on_q} <= {on_q, above1_q, older_on};
   end
   delay_line #(
       .Width (6),
-      .Clocks(2)
+      .Clocks(3)
   ) i_on (
       .clk_i,
       .rst_ni,
       .data_i({valid1, on_late_q}),
-      .data_o({valid1_late3, on3})
+      .data_o({valid1_late4, on4})
   );
   vertex_ring i_ring (
       .clk_i,
-      .valid_i (valid1_late3),
-      .column_i(on3[3:0]),
-      .radial_i({{5{on3[4]}}, {2{on3[3]}}, on3[2], {2{on3[1]}}, {5{on3[0]}}}),
+      .valid_i (valid1_late4),
+      .column_i(on4[3:0]),
+      .radial_i({{5{on4[4]}}, {2{on4[3]}}, on4[2], {2{on4[1]}}, {5{on4[0]}}}),
       .above_o(),
       .group_o(),
       .two_o(),
@@ -183,8 +189,8 @@ module vertex_peak #(
       .high_o(),
       .touches_o(),
       .inner_o(),
-      .branches_o(branches),
-      .pattern_o(pattern)
+      .branches_o(vertex_branches_o),
+      .pattern_o(vertex_pattern_o)
   );
 
   // A frame ends one row later than its last row has come: two row starts, and the two columns
@@ -201,21 +207,21 @@ module vertex_peak #(
   end
   delay_line #(
       .Width (1),
-      .Clocks(3)
+      .Clocks(4)
   ) i_valid (
       .clk_i,
       .rst_ni,
       .data_i(valid2),
-      .data_o(valid5)
+      .data_o(valid6)
   );
   delay_line #(
       .Width (4),
-      .Clocks(4)
+      .Clocks(5)
   ) i_position (
       .clk_i,
       .rst_ni,
       .data_i({valid2, sol2, sof2, rows_real_q[5:1] == '1}),
-      .data_o({valid6, sol6, sof6, rows_inside6})
+      .data_o({valid7, sol7, sof7, rows_inside7})
   );
   delay_line #(
       .Width (1),
@@ -227,25 +233,17 @@ module vertex_peak #(
       .data_o(end7)
   );
 
-  // Clocks 7, 8: position of the centre, and whether the five rows around it are a frame's. Frames
+  // Clock 8: position of the centre, and whether the five rows around it are a frame's. Frames
   // back to back need no more: their scores fall off towards the border.
-  logic [11:0] x_q, y_q;
   always_ff @(posedge clk_i) begin
-    valid7 <= rst_ni && valid6;
-    if (valid6) begin
-      x_q <= sol6 ? -12'd2 : x_q + 12'd1;
-      if (sol6) y_q <= sof6 ? -12'd1 : y_q + 12'd1;
+    if (valid7) begin
+      vertex_x_o <= sol7 ? -12'd2 : vertex_x_o + 12'd1;
+      if (sol7) vertex_y_o <= sof7 ? -12'd1 : vertex_y_o + 12'd1;
     end
     if (!rst_ni) inside_q <= 1'b0;
-    else if (valid6 && sol6) inside_q <= rows_inside6;
-    vertex_valid_o    <= rst_ni && valid7 && peak7_q && inside_q;
-    vertex_x_o        <= x_q;
-    vertex_y_o        <= y_q;
-    vertex_branches_o <= branches;
-    vertex_pattern_o  <= pattern;
-    vertex_strength_o <= at7_q;
-    end_valid_o       <= rst_ni && end7;
-    end_fault_o       <= fault_q;
+    else if (valid7 && sol7) inside_q <= rows_inside7;
+    end_valid_o <= rst_ni && end7;
+    end_fault_o <= fault_q;
   end
 
   // A vertex lies inside its frame and never comes with the frame's end.

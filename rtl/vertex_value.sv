@@ -242,13 +242,28 @@ module vertex_value #(
       .data_i(two5_q),
       .data_o(two8)
   );
-  delay_line #(
-      .Width (8),
+  payload_delay #(
+      .Width (2),
+      .Clocks(Latency)
+  ) i_above (
+      .clk_i,
+      .data_i(above),
+      .data_o(above_o)
+  );
+  slot_delay #(
       .Clocks(Latency)
   ) i_slot (
       .clk_i,
       .rst_ni,
-      .data_i({above, valid, sol, sof, is_real, fault}),
-      .data_o({above_o, valid_o, sol_o, sof_o, real_o, fault_o})
+      .valid_i(valid),
+      .sol_i(sol),
+      .sof_i(sof),
+      .real_i(is_real),
+      .fault_i(fault),
+      .valid_o,
+      .sol_o,
+      .sof_o,
+      .real_o,
+      .fault_o
   );
 endmodule

@@ -66,6 +66,7 @@ module view_pipeline #(
   // Settings of the frames in flight.
   logic [SettingsBits-1:0] settings, settings_q;
   logic settings_changed_q, load_settings;
+  logic [3:0] differs_q;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor, branch_floor;
   logic [4:0] mean_limit, min_turn;
@@ -74,7 +75,9 @@ module view_pipeline #(
                      branch_floor_i, min_turn_i};
   assign {limit, noise_floor, mean_limit, support, branch_floor, min_turn} = settings_q;
   always_ff @(posedge clk_i) begin
-    settings_changed_q <= !hold_i && settings != settings_q;
+    differs_q <= {vertex_limit_i != limit, {noise_floor_i, mean_limit_i} != {noise_floor, mean_limit},
+                  support_i != support, {branch_floor_i, min_turn_i} != {branch_floor, min_turn}};
+    settings_changed_q <= !hold_i && differs_q != '0;
     if (!rst_ni || (load_settings && !hold_i)) settings_q <= settings;
   end
 
