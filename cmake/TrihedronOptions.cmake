@@ -20,3 +20,13 @@ endif()
 
 # Same input, same output: no contraction of a*b+c, which differs between machines.
 add_compile_options(-ffp-contract=off)
+
+# ASan and UBSan at a speed at which fuzzing gets somewhere; a finding ends the program.
+option(TRIHEDRON_SANITIZE "Build everything with sanitizers, the fuzzing harnesses with libFuzzer (clang)" OFF)
+if(TRIHEDRON_SANITIZE)
+  set(CMAKE_CXX_FLAGS_DEBUG "-O1 -gline-tables-only")
+  add_compile_options(-fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link
+    -fno-sanitize-recover=all -fno-omit-frame-pointer
+    -D_GLIBCXX_ASSERTIONS "$<$<COMPILE_LANGUAGE:CXX>:-fconstexpr-steps=10000000>")
+  add_link_options(-fsanitize=address,undefined)
+endif()

@@ -41,16 +41,18 @@ struct ExpectedFrame {
   std::size_t changes = 0;      ///< threshold changes before it
 };
 
+/// What registers say about a view's frames that start from now on.
+struct GuardSettings {
+  int frame_height = 0;  ///< lines that end a frame; if 0, idle clocks do
+  bool enabled = true;
+};
+
 /// Which frames come out of any stream of pixels: the rules of rtl/frame_guard.sv without its
 /// clocks. Time enters only as gaps between lines, which are either far shorter or far longer
 /// than the flush timeout.
 class GuardModel {
  public:
-  /// What registers say about a view's frames that start from now on.
-  struct Settings {
-    int frame_height = 0;  ///< lines that end a frame; if 0, idle clocks do
-    bool enabled = true;
-  };
+  using Settings = GuardSettings;
 
   /// `settings` at first, after the first line that holds, after the second, ...; a frame of
   /// unknown height is ended by `flush_timeout` idle clocks.

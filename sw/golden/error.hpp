@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace trihedron {
 
@@ -10,7 +11,15 @@ namespace trihedron {
 /// field), and what would be right.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  /// Control characters that bad input brought into the message become '?'.
+  explicit Error(std::string message) : std::runtime_error(printable(std::move(message))) {}
+
+ private:
+  static std::string printable(std::string text) {
+    for (char& c : text)
+      if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
+    return text;
+  }
 };
 
 }  // namespace trihedron

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 
 #include "golden/error.hpp"
@@ -41,10 +42,17 @@ ResultRow parse_row(const std::vector<std::string>& fields, const std::string& f
   const auto number = [&](int i, const char* name) {
     return parse_numbers(fields[i], 1, place(file, line, name))[0];
   };
+  const auto integer = [&](int i, const char* name) {
+    const double value = number(i, name);
+    constexpr double kLargest = std::numeric_limits<int>::max();
+    if (value != std::floor(value) || value < 0 || value > kLargest)
+      throw Error(place(file, line, name) + "expected an integer from 0");
+    return static_cast<int>(value);
+  };
   ResultRow row;
-  row.scene_id = static_cast<int>(number(0, "scene_id"));
-  row.im_id = static_cast<int>(number(1, "im_id"));
-  row.model_id = static_cast<int>(number(2, "obj_id"));
+  row.scene_id = integer(0, "scene_id");
+  row.im_id = integer(1, "im_id");
+  row.model_id = integer(2, "obj_id");
   row.score = number(3, "score");
   const auto R = parse_numbers(fields[4], 9, place(file, line, "R"));
   const auto t = parse_numbers(fields[5], 3, place(file, line, "t"));
