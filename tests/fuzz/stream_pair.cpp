@@ -191,6 +191,8 @@ void StreamPair::check_registers() {
     report.views[view].stream_errors = guards_[view].errors();
     report.views[view].stream_error_kinds = guards_[view].event_kinds();
   }
+  if (report.compared.beats == 0 && options.changes.back().enabled != 0)
+    note("nothing was compared");
   for (const sim::RegisterValue& value : sim::final_values(options, report))
     registers_.expect(value);
   for (int view = 0; view < sim::kViews; ++view)

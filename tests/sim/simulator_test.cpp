@@ -62,6 +62,19 @@ TEST_CASE("tall frames that run together because a start is missing are expected
   CHECK(report.compared.beats == 3 * 4 * 6 * 363);
 }
 
+TEST_CASE("frames of one to four lines between good ones are too low, and only they") {
+  std::vector<SourceFrame> frames;
+  for (int height = 1; height < kMinSizePx; ++height) {
+    frames.push_back(frame_of(polygons(20, 11, 7)));
+    frames.push_back(frame_of(polygons(20, height, 8)));
+  }
+  frames.push_back(frame_of(polygons(20, 11, 9)));
+  const Report report = run_all(checked(), frames);
+  INFO((report.mismatch ? report.mismatch->text() : ""));
+  REQUIRE(report.passed());
+  CHECK(report.compared.frames == kViews * frames.size());
+}
+
 TEST_CASE("the frame tag wraps around after 256 frames, the counters do not") {
   const std::vector<SourceFrame> frames(260, frame_of(polygons(5, 5, 2)));
   const Report report = run_all(checked(), frames);
