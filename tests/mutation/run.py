@@ -68,10 +68,13 @@ def main():
     parser.add_argument("--frames", type=int, default=150, help="of the first stage")
     parser.add_argument("--more-frames", type=int, default=1200, help="of the second stage, other seeds")
     parser.add_argument("--every", type=int, default=1, help="take each N-th mutant only")
+    parser.add_argument("--module", action="append", help="take this module's mutants only")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
     program = arguments.build / "build/sw/cli/trihedron"
     mutants = json.loads((arguments.build / "mutants.json").read_text())[::arguments.every]
+    if arguments.module:
+        mutants = [m for m in mutants if m["module"] in arguments.module]
     if verify(program, 0, 60, 1)[0]:
         raise SystemExit("the design without a mutant already differs from the golden model")
     stages = [(1, arguments.frames)]
