@@ -38,7 +38,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "recognises polyhedral objects from thre
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME trihedron-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libeigen3-dev, libopencv-dev, libassimp-dev, nlohmann-json3-dev, libfmt-dev, libceres-dev")
+    "libeigen3-dev, libopencv-dev, nlohmann-json3-dev, libfmt-dev, libceres-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of Trihedron for C++ programs
  Static libraries, headers, CMake package and pkg-config file of Trihedron,
  which recognises polyhedral objects from three camera views.")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/versions.hpp"
 
-#include <assimp/version.h>
 #include <fmt/format.h>
 
 #include <Eigen/Core>
@@ -21,8 +20,7 @@ std::string versions() {
 #else
   out += "no simulation in this build\n";
 #endif
-  out += fmt::format("OpenCV {}\nAssimp {}.{}.{}\n", CV_VERSION, aiGetVersionMajor(),
-                     aiGetVersionMinor(), aiGetVersionPatch());
+  out += fmt::format("OpenCV {}\n", CV_VERSION);
   out += fmt::format("Eigen {}.{}.{}\nJSON {}.{}.{}\n", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
                      EIGEN_MINOR_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                      NLOHMANN_JSON_VERSION_PATCH);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/mesh.hpp"
 
-#include <assimp/scene.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 
 #include "golden/error.hpp"
@@ -23,29 +21,6 @@ std::string ending_of(const std::filesystem::path& file) {
   return ending;
 }
 
-/// Adds a node's meshes and its children's, moved to the file's root frame.
-void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, Polygons& out) {
-  const aiMatrix4x4 root_from_node = parent * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    const int base = static_cast<int>(out.vertices.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D x = root_from_node * mesh.mVertices[v];
-      out.vertices.emplace_back(x.x, x.y, x.z);
-    }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices < 3) continue;  // points and lines
-      std::vector<int> corners;
-      for (unsigned k = 0; k < face.mNumIndices; ++k)
-        corners.push_back(base + static_cast<int>(face.mIndices[k]));
-      out.faces.push_back(corners);
-    }
-  }
-  for (unsigned c = 0; c < node.mNumChildren; ++c)
-    collect(scene, *node.mChildren[c], root_from_node, out);
-}
-
 }  // namespace
 
 bool is_mesh_name(const std::filesystem::path& file) {
@@ -58,19 +33,11 @@ Mesh read_mesh(const std::filesystem::path& file) {
   if (!is_mesh_name(file))
     throw Error(name + ": not a mesh that can be read; expected a .ply, .obj, .stl or .off file");
   require_file(file, "a mesh");
-  if (ending_of(file) == ".off") return triangulate(name, read_off(file));
-  if (ending_of(file) == ".ply") return triangulate(name, read_ply(file));
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(name, 0);  // post-processing trusts the indices
-  if (scene == nullptr || scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
-    std::string why = importer.GetErrorString();
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    throw Error(name + ": not a readable mesh" + (why.empty() ? "" : " (" + why + ")") +
-                "; expected triangles or polygons in PLY, OBJ, STL or OFF");
-  }
-  Polygons polygons;
-  collect(*scene, *scene->mRootNode, aiMatrix4x4(), polygons);
-  return triangulate(name, polygons);
+  const std::string ending = ending_of(file);
+  return triangulate(name, ending == ".off"   ? read_off(file)
+                           : ending == ".ply" ? read_ply(file)
+                           : ending == ".stl" ? read_stl(file)
+                                              : read_obj(file));
 }
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {

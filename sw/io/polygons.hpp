@@ -20,13 +20,20 @@ struct Polygons {
 /// headed by `name`, when a face uses a vertex that is not there.
 Mesh triangulate(const std::string& name, const Polygons& polygons);
 
-/// Reads a PLY file, ASCII or binary. Own code, since Assimp 5.2 crashes or hangs on broken ones.
-/// Throws Error with what is wrong.
+// Own code: Assimp 5.2 crashes, hangs or leaks on broken files (docs/decisions.md). All throw Error
+// with what is wrong.
+
+/// Reads a PLY file, ASCII or binary.
 Polygons read_ply(const std::filesystem::path& file);
 
+/// Reads an STL file, binary or ASCII: triangles, each with corners of its own.
+Polygons read_stl(const std::filesystem::path& file);
+
+/// Reads the faces of an OBJ file; its materials, normals and groups are skipped.
+Polygons read_obj(const std::filesystem::path& file);
+
 /// Reads an OFF file: header OFF (or COFF, NOFF ... whose extra numbers are skipped), counts,
-/// vertices, faces; comments and blank lines anywhere. Own code, since Assimp 5.2 loses as many
-/// faces as there are comment lines. Throws Error with the line that is wrong.
+/// vertices, faces; comments and blank lines anywhere.
 Polygons read_off(const std::filesystem::path& file);
 
 }  // namespace trihedron

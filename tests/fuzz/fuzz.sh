@@ -25,8 +25,6 @@ if [ -z "$short" ]; then
   [ -f "$build/build.ninja" ] || cmake --preset sanitize >/dev/null
   cmake --build "$build" --target "${harnesses[@]/#/trihedron_fuzz_}" >/dev/null
 fi
-# Blocks that OpenCV and Assimp keep until the program ends are no leaks; reports stay short.
-export ASAN_OPTIONS=${ASAN_OPTIONS:-}:detect_leaks=1:allocator_may_return_null=0
 export UBSAN_OPTIONS=print_stacktrace=1
 
 # Processor seconds of finished children.

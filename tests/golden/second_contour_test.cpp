@@ -165,6 +165,25 @@ TEST_CASE("every ring of ridge pixels around a gap is linked as defined") {
   }
 }
 
+TEST_CASE("linking keeps the pieces of every small image but lone pixels, or joins them") {
+  for (unsigned image = 0; image < 1U << 16; ++image) {
+    Bits bits(8, 8), linked_only(8, 8);
+    for (unsigned i = 0; i < 16; ++i)
+      bits.at(2 + static_cast<int>(i % 4), 2 + static_cast<int>(i / 4)) = image >> i & 1;
+    for (int y = 2; y < 6; ++y) {
+      for (int x = 2; x < 6; ++x)
+        linked_only.at(x, y) = bits.at(x, y) && !links_of(bits, {x, y}).empty();
+    }
+    const Bits linked = link(bits, flat(bits, 12), 12);
+    // Nothing but lone pixels goes, no piece falls apart, and no hole is filled.
+    for (std::size_t i = 0; i < linked.samples.size(); ++i)
+      REQUIRE(linked.samples[i] >= linked_only.samples[i]);
+    INFO("image " << image);
+    REQUIRE(pieces(linked) <= pieces(linked_only));
+    REQUIRE(holes(linked) >= holes(linked_only));
+  }
+}
+
 TEST_CASE("linking random ridges follows the definition and never parts a piece") {
   std::mt19937 random(23);
   for (int round = 0; round < 30; ++round) {

@@ -77,6 +77,43 @@ bool value_by_definition(const Directions& d, const VertexConfig& config) {
   return turns(branches[0], branches[1]) || turns(branches[0], branches.back());
 }
 
+TEST_CASE("every ring with every set of inner pixels has the branches of the definition") {
+  // All 2^24 windows: a ring pixel touches when it is on and beside an inner one, whatever else is
+  // on, so each inner set with the whole ring and each ring with all inner pixels say everything.
+  constexpr RingOffset kInner[8] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
+                                    {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
+  constexpr Direction kStrong = 3 << kDirectionBits;
+  const auto window = [&](unsigned inner, unsigned ring) {
+    Directions d(5, 5);
+    for (unsigned i = 0; i < 8; ++i) {
+      if (inner >> i & 1) d.at(2 + kInner[i].x, 2 + kInner[i].y) = kStrong;
+    }
+    for (unsigned k = 0; k < kRingPx; ++k) {
+      if (ring >> k & 1) d.at(2 + kRing[k].x, 2 + kRing[k].y) = kStrong;
+    }
+    return d;
+  };
+  constexpr unsigned kAll = (1U << kRingPx) - 1;
+  std::mt19937 random(41);
+  for (unsigned inner = 0; inner < 256; ++inner) {
+    const Directions whole = window(inner, kAll);
+    const unsigned touched = window_branches(whole, 2, 2).touching;
+    REQUIRE(__builtin_popcount(run_starts(touched)) == branches_by_definition(whole));
+    for (int round = 0; round < 20; ++round) {
+      const unsigned ring = random() & kAll;
+      const WindowBranches got = window_branches(window(inner, ring), 2, 2);
+      REQUIRE(got.ring == ring);
+      REQUIRE(got.touching == (ring & touched));
+      REQUIRE(got.inner == (inner != 0));
+    }
+  }
+  for (unsigned ring = 0; ring <= kAll; ++ring) {
+    const Directions d = window(255, ring);
+    REQUIRE(window_branches(d, 2, 2).touching == ring);
+    REQUIRE(__builtin_popcount(run_starts(ring)) == branches_by_definition(d));
+  }
+}
+
 TEST_CASE("the value of random windows is that of the definition") {
   std::mt19937 random(43);
   int ones = 0;

@@ -56,6 +56,8 @@ TEST_CASE("broken results are named with line and field") {
   CHECK_THAT(message("a,b\n"), Contains("r.csv: line 1: header: expected scene_id,"));
   CHECK_THAT(message(header + "1,0,7,0.5,1 0 0 0 1 0 0 0 1,1 2 3\n"),
              Contains("line 2: 6 fields; expected 7"));
+  CHECK_THAT(message(header + "1,0,3e9,0.5,1 0 0 0 1 0 0 0 1,1 2 3,1\n"),
+             Contains("line 2: obj_id: expected an integer from 0"));
   CHECK_THAT(message(header + "1,0,7,0.5,1 0 0 0 1 0 0 0,1 2 3,1\n"),
              Contains("line 2: R: expected 9 numbers"));
   CHECK_THAT(message(header + "1,0,x,0.5,1 0 0 0 1 0 0 0 1,1 2 3,1\n"),
