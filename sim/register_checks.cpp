@@ -12,6 +12,7 @@ namespace {
 
 constexpr unsigned kAllBytes = AxiLiteMaster::kAllBytes;
 constexpr std::uint32_t kMapEnd = 0x1000;
+constexpr std::uint32_t kBlockWords = 16;  // of the global registers, gaps included
 constexpr std::array<std::uint32_t, 4> kCounters = {registers::kFrames, registers::kVertices,
                                                     registers::kLost, registers::kErrors};
 
@@ -92,12 +93,18 @@ void RegisterChecks::sweep_after_reset() {
       port_.write(of_view(r.address, view), (r.reset & r.writable) | ones, kAllBytes);
     }
   }
-  for (int access = 0; access < 8; ++access) {
-    const auto address = static_cast<std::uint32_t>(random_.between(0, kMapEnd / 4 - 1)) * 4;
-    if (has_register(address)) continue;
+  const auto attack = [this](std::uint32_t address) {
+    if (has_register(address)) return;
     port_.write(address, static_cast<std::uint32_t>(random_.next()), kAllBytes);
     expect({"address " + std::to_string(address) + " without a register", address, 0});
-  }
+  };
+  // Every gap between registers, and some of the empty space beyond.
+  for (std::uint32_t word = 0; word < kBlockWords; ++word)
+    attack(registers::kGlobalBase + 4 * word);
+  for (std::uint32_t at = registers::kViewBase; at < of_view(registers::kViewBase, kViews); at += 4)
+    attack(at);
+  for (int access = 0; access < 8; ++access)
+    attack(static_cast<std::uint32_t>(random_.between(0, kMapEnd / 4 - 1)) * 4);
   for (const RegisterValue& value : values) expect(value);
   const std::uint32_t cycles = port_.read(registers::kCycles);
   compare("CYCLES, that it counts", 1, port_.read(registers::kCycles) > cycles);

@@ -69,7 +69,8 @@ def choose(largest, seed, out):
             sources = [pathlib.Path(words[i + 1]).name for i, w in enumerate(words) if w == "-src"]
             mutants.append({"id": next_id, "module": base, "mode": options["-mode"],
                             "cell": options["-cell"], "port": options["-port"],
-                            "bit": options["-portbit"], "sources": sources})
+                            "bit": options["-portbit"], "sources": sources,
+                            "command": line})
             commands.append(f"{line} -ctrl {SELECT} {BITS} {next_id}")
             next_id += 1
             taken += 1

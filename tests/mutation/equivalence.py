@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Proves that a mutant is the same design: Yosys compares the module with its mutated copy by
+induction over their registers, for any input; then once more inside the module that instantiates
+it, where some inputs are constants and some outputs are not used. What is proved cannot be killed.
+
+usage: equivalence.py FOLDER ID...   FOLDER is that of mutants.py
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+TIMEOUT_S = 120
+
+
+def prepare(design, module, top, mutate, name):
+    """The module `top` with `module` flattened into it; all other instances become ports."""
+    return (f"read_rtlil {design}\n{mutate}\nhierarchy -top {top}\n"
+            f"setattr -mod -set keep_hierarchy 1 *\nsetattr -mod -unset keep_hierarchy {module} {top}\n"
+            f"flatten {top}\nexpose -evert {top}\nmemory -nomap\nmemory_map\nopt_clean\n"
+            f"rename {top} {name}\ndesign -stash {name}\n")
+
+
+def same(design, module, top, command):
+    script = (prepare(design, module, top, "", "gold") + "design -reset\n" +
+              prepare(design, module, top, command, "gate") + "design -reset\n"
+              "design -copy-from gold -as gold gold\ndesign -copy-from gate -as gate gate\n"
+              "equiv_make gold gate equiv\nhierarchy -top equiv\nopt_clean\nopt_expr -undriven\n"
+              "equiv_simple\nequiv_induct\nequiv_status -assert\n")
+    with tempfile.NamedTemporaryFile("w", suffix=".ys") as file:
+        file.write(script)
+        file.flush()
+        try:
+            run = subprocess.run(["yosys", "-q", file.name], capture_output=True, timeout=TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            return False
+    return run.returncode == 0
+
+
+def parents(design, module):
+    """Modules that instantiate `module`."""
+    found, current = [], ""
+    for line in design.read_text().splitlines():
+        if line.startswith("module "):
+            current = line.split()[1]
+        elif re.match(r"\s+cell ", line) and line.split()[1] == module and current not in found:
+            found.append(current)
+    return found
+
+
+def proved(folder, mutant):
+    """Where the mutant makes no difference: "in itself", "in PARENT", or "" when not proved."""
+    design = folder / "design.il"
+    module = mutant["command"].split("-module ")[1].split()[0]
+    if same(design, module, module, mutant["command"]):
+        return "in itself"
+    above = parents(design, module)
+    if above and all(same(design, module, top, mutant["command"]) for top in above):
+        names = [re.sub(r".*\\", "", re.sub(r"\\[A-Za-z]+=.*", "", top)) for top in above]
+        return "in " + " and ".join(sorted(set(names)))
+    return ""
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    mutants = {m["id"]: m for m in json.loads((folder / "mutants.json").read_text())}
+    for word in sys.argv[2:]:
+        print(word, proved(folder, mutants[int(word)]) or "not proved", flush=True)
+
+
+if __name__ == "__main__":
+    main()
