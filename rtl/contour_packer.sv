@@ -3,14 +3,15 @@
 // Joins gradient vectors and contour flags of the same pixel into the contour stream.
 //
 //   slope_*       {magnitude, gy, gx} of each pixel, raster order, slope_first_i at a frame's
-//                 first; some clocks ahead of
+//                 first, slope_begins_i in the clock before; some clocks ahead of
 //   flags_*       {first, contour} of each real pixel, with sol, eol, sof of its row
 //   ready_o       room for everything that is still in the pipeline: a beat may enter it
 //   m_axis_*      beat: [0] contour, [1] first contour, [23:8] magnitude, [39:24] gx,
 //                 [55:40] gy; tuser first pixel of a frame, tlast last pixel of a line
 //
-// Both halves of a frame's first pixel are marked. Where only one is, a beat was lost or made up by an
-// upset: the other half waits for its mark, so that only this frame is spoilt.
+// Both halves of a frame's first pixel are marked. Where only one is, an upset has lost or made up a beat
+// or a mark: flags without a mark are dropped until theirs comes; a gradient without one says that nothing
+// fits, and all is dropped. What waits is thrown away when the next frame's gradients begin.
 //
 // Latency 2 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
 // Reserve pixels after ready_o has fallen.
@@ -23,6 +24,7 @@ module contour_packer #(
     input  logic                       rst_ni,
     input  logic                       slope_valid_i,
     input  logic                       slope_first_i,
+    input  logic                       slope_begins_i,
     input  logic [3*FractionBits+21:0] slope_data_i,
     input  logic                       flags_valid_i,
     input  logic                       flags_sol_i,
@@ -44,7 +46,8 @@ module contour_packer #(
   end
 
   logic [LevelBits-1:0] slope_level;
-  logic slope_valid, flags_valid, slope_marked, in_step;
+  logic slope_valid, flags_valid, slope_marked, in_step, flush;
+  logic lost_q, late_q;  // all is dropped; flags are dropped until their mark
   logic signed [SlopeBits-1:0] gx, gy;
   logic [MagnitudeBits-1:0] magnitude;
   logic first, contour;
@@ -54,12 +57,12 @@ module contour_packer #(
       .Depth(Depth)
   ) i_slope (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_ni && !flush),
       .push_i(slope_valid_i),
       .data_i({slope_first_i, slope_data_i}),
       .level_o(slope_level),
       .m_tvalid_o(slope_valid),
-      .m_tready_i(flags_valid && (in_step ? m_axis_tready_i : !slope_marked)),
+      .m_tready_i(lost_q || (flags_valid && in_step && m_axis_tready_i)),
       .m_tdata_o({slope_marked, magnitude, gy, gx})
   );
 
@@ -68,16 +71,27 @@ module contour_packer #(
       .Depth(Depth)
   ) i_flags (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_ni && !flush),
       .push_i(flags_valid_i),
       .data_i({flags_data_i, flags_sof_i && flags_sol_i, flags_eol_i}),
       .level_o(),
       .m_tvalid_o(flags_valid),
-      .m_tready_i(slope_valid && (in_step ? m_axis_tready_i : slope_marked)),
+      .m_tready_i(lost_q || (slope_valid && (in_step ? m_axis_tready_i : slope_marked))),
       .m_tdata_o({first, contour, m_axis_tuser_o, m_axis_tlast_o})
   );
 
-  assign in_step = slope_marked == m_axis_tuser_o;
+  assign in_step = !lost_q && slope_marked == m_axis_tuser_o;
+  assign flush = slope_begins_i && (lost_q || late_q) && !m_axis_tvalid_o;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      {lost_q, late_q} <= '0;
+    end else if (flush) begin
+      {lost_q, late_q} <= 2'b01;
+    end else if (slope_valid && flags_valid && !lost_q) begin
+      late_q <= !in_step && slope_marked;
+      lost_q <= !in_step && !slope_marked;
+    end
+  end
   assign m_axis_tvalid_o = flags_valid && slope_valid && in_step;
   assign m_axis_tdata_o = {8'b0, 16'(gy), 16'(gx), 16'(magnitude), 6'b0, first, contour};
 

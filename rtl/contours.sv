@@ -8,7 +8,7 @@
 //   noise_floor_i, mean_limit_i, support_i   thresholds, see first_contour, ridge
 //   slot in, data_i    pixels, see slot_tracker
 //   slope_*            {magnitude, gy, gx} of each real pixel, raster order, slope_first_o at a frame's
-//                      first; some clocks ahead of
+//                      first, slope_begins_o in the clock before; some clocks ahead of
 //   slot out, data_o   {first, contour}, eol_o last column; see second_contour
 //
 // Latency 8 rows + 8 columns + 27 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
@@ -29,6 +29,7 @@ module contours #(
     input  logic [                7:0] data_i,
     output logic                       slope_valid_o,
     output logic                       slope_first_o,
+    output logic                       slope_begins_o,
     output logic [3*FractionBits+21:0] slope_data_o,
     output logic                       valid_o,
     output logic                       sol_o,
@@ -91,6 +92,7 @@ module contours #(
       .column_i(tail_column),
       .valid_o(slope_valid_o),
       .first_o(slope_first_o),
+      .begins_o(slope_begins_o),
       .data_o(slope_data_o)
   );
 

@@ -7,7 +7,7 @@
 //
 //   slot and column in   the tail of gradient's window, the slot one clock behind the column
 //   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order;
-//                        first_o: a frame's first
+//                        first_o: a frame's first; begins_o: it comes with the next clock
 //
 // Latency 2 columns + 8 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
@@ -25,6 +25,7 @@ module slope #(
     input  logic [               39:0] column_i,
     output logic                       valid_o,
     output logic                       first_o,
+    output logic                       begins_o,
     output logic [3*FractionBits+21:0] data_o
 );
   localparam int M = 6 + FractionBits;
@@ -81,14 +82,17 @@ module slope #(
       .data_i(in_frame),
       .data_o(in_frame_late)
   );
+  logic valid8, first8;
+  assign begins_o = valid8 && first8;
+  always_ff @(posedge clk_i) {valid_o, first_o} <= {rst_ni && valid8, first8};
   delay_line #(
       .Width (2),
-      .Clocks(5)
+      .Clocks(4)
   ) i_beat (
       .clk_i,
       .rst_ni,
       .data_i({valid && is_real, sof && sol}),
-      .data_o({valid_o, first_o})
+      .data_o({valid8, first8})
   );
 
   // Clocks 7, 8: the vector waits for the magnitude.

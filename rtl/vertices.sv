@@ -50,7 +50,7 @@ module vertices #(
       .rst_ni,
       .branch_floor_i,
       .valid_i(slope_valid_i),
-      .first_i(slope_first_i),
+      .first_i(slope_valid_i && slope_first_i),
       .data_i (slope_data_i),
       .valid_o(direction_in_valid),
       .first_o(direction_in_first),

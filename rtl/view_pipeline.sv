@@ -173,7 +173,7 @@ module view_pipeline #(
       .data_o(slot_data)
   );
 
-  logic slope_valid, slope_first, second_valid, second_sol, second_eol, second_sof, second_real;
+  logic slope_valid, slope_first, slope_begins, second_valid, second_sol, second_eol, second_sof, second_real;
   logic [3*FractionBits+21:0] slope_data;
   logic [1:0] second_fault, second_data;
   contours #(
@@ -193,6 +193,7 @@ module view_pipeline #(
       .data_i(slot_data),
       .slope_valid_o(slope_valid),
       .slope_first_o(slope_first),
+      .slope_begins_o(slope_begins),
       .slope_data_o(slope_data),
       .valid_o(second_valid),
       .sol_o(second_sol),
@@ -210,6 +211,7 @@ module view_pipeline #(
       .rst_ni,
       .slope_valid_i(slope_valid),
       .slope_first_i(slope_first),
+      .slope_begins_i(slope_begins),
       .slope_data_i(slope_data),
       .flags_valid_i(second_valid && second_real),
       .flags_sol_i(second_sol),
