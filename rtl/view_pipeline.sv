@@ -173,7 +173,8 @@ module view_pipeline #(
       .data_o(slot_data)
   );
 
-  logic slope_valid, slope_first, slope_begins, second_valid, second_sol, second_eol, second_sof, second_real;
+  logic slope_valid, slope_first, slope_begins;
+  logic second_valid, second_sol, second_eol, second_sof, second_real;
   logic [3*FractionBits+21:0] slope_data;
   logic [1:0] second_fault, second_data;
   contours #(
