@@ -49,8 +49,7 @@ bool Ranker::same(int a, int b) const {
              kSameHypothesisMm;
 }
 
-std::vector<RankedHypothesis> Ranker::rank(const std::vector<SpreadMap>& maps, int count) const {
-  const GlanceScorer scorer(maps);
+std::vector<RankedHypothesis> Ranker::rank(const GlanceScorer& scorer, int count) const {
   std::vector<RankedHypothesis> ranked;
   for (int i = 0; i < static_cast<int>(predictions_.size()); ++i) {
     const double score = scorer.score(predictions_[i].points);
@@ -69,25 +68,29 @@ std::vector<RankedHypothesis> Ranker::rank(const std::vector<SpreadMap>& maps, i
   return out;
 }
 
-Candidate make_candidate(const SceneInput& input, int index) {
+Candidate make_candidate(const SceneInput& input, int index,
+                         const std::vector<PlacedModel>& known) {
   const PoseHypothesis& hypothesis = input.hypotheses[index];
-  return make_candidate(input, hypothesis.model, hypothesis.world_from_model, {5, 2.5, 1});
+  return make_candidate(input, hypothesis.model, hypothesis.world_from_model, {5, 2.5, 1}, known);
 }
 
 Candidate make_candidate(const SceneInput& input, int model_index,
-                         const Transform& world_from_model, const std::vector<double>& reaches_mm) {
-  const Model& model = input.library[model_index];
+                         const Transform& world_from_model, const std::vector<double>& reaches_mm,
+                         const std::vector<PlacedModel>& known) {
   RefinementOptions options;
   options.reaches_mm = reaches_mm;
   options.exact_rounds = 2;
+  std::vector<PlacedModel> scene = known;
+  const auto index = static_cast<int>(scene.size());
+  scene.push_back({&input.library[model_index], world_from_model});
   Candidate out;
   out.model = model_index;
-  out.pose = refine(input.views, {{&model, world_from_model}}, 0, options);
+  out.pose = refine(input.views, scene, index, options);
+  scene.back().world_from_model = out.pose.world_from_model;
   VerificationOptions verification;
   verification.tests = std::max<double>(1, static_cast<double>(input.hypotheses.size()));
-  const std::vector<PlacedModel> alone = {{&model, out.pose.world_from_model}};
-  out.alone = verify(input.views, input.maps, alone, 0, collect_evidence(input.views, alone, 0),
-                     verification);
+  out.alone = verify(input.views, input.maps, scene, index,
+                     collect_evidence(input.views, scene, index), verification);
   out.verdict = out.alone;
   return out;
 }

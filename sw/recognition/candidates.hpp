@@ -35,8 +35,8 @@ class Ranker {
   explicit Ranker(const SceneInput& input);
 
   /// At most `count` hypotheses better than chance, best first, none near a better one of the same
-  /// model. `maps` may leave out contours that are explained.
-  std::vector<RankedHypothesis> rank(const std::vector<SpreadMap>& maps, int count) const;
+  /// model.
+  std::vector<RankedHypothesis> rank(const GlanceScorer& scorer, int count) const;
 
  private:
   struct Prediction {
@@ -53,14 +53,16 @@ class Ranker {
 struct Candidate {
   int model = 0;  ///< index into the library
   RefinedPose pose;
-  Verdict alone;    ///< as if nothing hid it
+  Verdict alone;    ///< as if nothing hid it but what was known when it was proposed
   Verdict verdict;  ///< among the others
 };
 
-/// Refines hypothesis `index` and judges it alone.
-Candidate make_candidate(const SceneInput& input, int index);
-/// The same for any pose near the truth: contours are searched for up to `reach_mm` away.
+/// Refines hypothesis `index` and judges it, `known` objects in front of it.
+Candidate make_candidate(const SceneInput& input, int index,
+                         const std::vector<PlacedModel>& known = {});
+/// The same for any pose near the truth: contours are searched for up to `reaches_mm` away.
 Candidate make_candidate(const SceneInput& input, int model, const Transform& world_from_model,
-                         const std::vector<double>& reaches_mm);
+                         const std::vector<double>& reaches_mm,
+                         const std::vector<PlacedModel>& known = {});
 
 }  // namespace trihedron

@@ -9,9 +9,13 @@
 namespace trihedron {
 namespace {
 
+/// Behind a known object means behind by more than this, mm: a hypothesis is off by as much.
+constexpr double kBehindMm = 5;
+
 /// A model's vertices and surfaces as a camera sees them.
 struct Seen {
   std::vector<Eigen::Vector2d> pixels;  // vertices
+  std::vector<double> depths;           // vertices, mm
   std::vector<char> front;              // surfaces
 };
 
@@ -19,11 +23,13 @@ void look(const Camera& camera, const Model& model, const Transform& world_from_
   const Transform camera_from_model = camera.camera_from_world * world_from_model;
   const bool pinhole = camera.projection == Camera::Projection::kPinhole;
   seen.pixels.clear();
+  seen.depths.clear();
   bool in_front = true;
   for (const Eigen::Vector3d& vertex : model.mesh.vertices) {
     const Eigen::Vector3d x = camera_from_model * vertex;
     in_front = in_front && (!pinhole || x.z() > 1.0);
     seen.pixels.push_back(camera.project_camera(x));
+    seen.depths.push_back(x.z());
   }
   seen.front.clear();
   for (const Surface& surface : model.surfaces) {
@@ -34,18 +40,21 @@ void look(const Camera& camera, const Model& model, const Transform& world_from_
   }
 }
 
-void append_line(const Camera& camera, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int view,
+void append_line(const Camera& camera, const Seen& seen, int v0, int v1, int view,
                  std::vector<GlancePoint>& out) {
   constexpr double kStepPx = 16;  // independent answers
-  const Eigen::Vector2d along = b - a;
+  const Eigen::Vector2d& a = seen.pixels[v0];
+  const Eigen::Vector2d along = seen.pixels[v1] - a;
   const int count = static_cast<int>(along.norm() / kStepPx);
   const int bin = ContourField::bin_of(-along.y(), along.x());
   for (int i = 0; i < count; ++i) {
-    const Eigen::Vector2d x = a + (i + 0.5) / count * along;
+    const double s = (i + 0.5) / count;
+    const Eigen::Vector2d x = a + s * along;
     if (!(x.x() >= 0 && x.y() >= 0 && x.x() < camera.width_px && x.y() < camera.height_px))
       continue;
     out.push_back({static_cast<std::int16_t>(x.x()), static_cast<std::int16_t>(x.y()),
-                   static_cast<std::uint8_t>(view), static_cast<std::uint8_t>(bin)});
+                   static_cast<std::uint8_t>(view), static_cast<std::uint8_t>(bin),
+                   static_cast<float>((1 - s) * seen.depths[v0] + s * seen.depths[v1])});
   }
 }
 
@@ -60,11 +69,25 @@ std::vector<GlancePoint> glance_points(const std::vector<FieldView>& views, cons
     for (const ModelEdge& edge : model.edges) {
       const bool left = seen.front[edge.left], right = seen.front[edge.right];
       if ((!left && !right) || (!edge.convex && left != right)) continue;
-      append_line(*views[v].camera, seen.pixels[edge.v0], seen.pixels[edge.v1], static_cast<int>(v),
-                  out);
+      append_line(*views[v].camera, seen, edge.v0, edge.v1, static_cast<int>(v), out);
     }
   }
   return out;
+}
+
+Remainder remainder(const std::vector<FieldView>& views, const std::vector<PlacedModel>& known) {
+  Remainder out;
+  for (const FieldView& view : views) {
+    out.maps.push_back(spread_map(*view.field, visible_edges(*view.camera, known)));
+    out.surfaces.push_back(surface_map(*view.camera, known));
+  }
+  return out;
+}
+
+GlanceScorer::GlanceScorer(const std::vector<SpreadMap>& all, const Remainder& rest)
+    : GlanceScorer(rest.maps) {
+  all_ = &all;
+  rest_ = &rest;
 }
 
 GlanceScorer::GlanceScorer(const std::vector<SpreadMap>& maps) : maps_(maps) {
@@ -77,9 +100,17 @@ GlanceScorer::GlanceScorer(const std::vector<SpreadMap>& maps) : maps_(maps) {
   }
 }
 
+/// Whether a known object hides the point, or has the contour that is there.
+bool GlanceScorer::silent(const GlancePoint& p) const {
+  const float depth = rest_->surfaces[p.view].depth_at(p.x, p.y);
+  if (depth < p.depth - static_cast<float>(kBehindMm)) return true;
+  return (*all_)[p.view].near(p.x, p.y, p.bin) && !maps_[p.view].near(p.x, p.y, p.bin);
+}
+
 double GlanceScorer::score(const std::vector<GlancePoint>& points) const {
   double sum = 0;
   for (const GlancePoint& p : points) {
+    if (rest_ && silent(p)) continue;
     const Odds& odds = odds_[static_cast<std::size_t>(p.view) * ContourField::kBins + p.bin];
     sum += odds.answer[maps_[p.view].near(p.x, p.y, p.bin)];
   }

@@ -21,8 +21,8 @@ SceneSearch::SceneSearch(const SceneInput& input, const SceneSearchOptions& opti
     : input_(input),
       options_(options),
       ranker_(input),
-      first_ranking_(ranker_.rank(input.maps, options.ranked)),
       all_contours_(input.maps),
+      first_ranking_(ranker_.rank(all_contours_, options.ranked)),
       tried_(input.hypotheses.size(), 0) {}
 
 void SceneSearch::run() {
@@ -74,11 +74,8 @@ std::vector<RankedHypothesis> SceneSearch::rank_rest() {
   if (active_.empty()) return first_ranking_;
   std::vector<PlacedModel> objects;
   for (int i : active_) objects.push_back(placed(i));
-  std::vector<SpreadMap> maps;
-  for (const FieldView& view : input_.views) {
-    maps.push_back(spread_map(*view.field, visible_edges(*view.camera, objects)));
-  }
-  return ranker_.rank(maps, options_.ranked);
+  const Remainder rest = remainder(input_.views, objects);
+  return ranker_.rank(GlanceScorer(input_.maps, rest), options_.ranked);
 }
 
 bool SceneSearch::try_batch() {
@@ -101,7 +98,14 @@ bool SceneSearch::try_batch() {
 
 void SceneSearch::add(int hypothesis) {
   tried_[hypothesis] = 1;
-  add(make_candidate(input_, hypothesis));
+  const PoseHypothesis& h = input_.hypotheses[hypothesis];
+  const PlacedModel place{&input_.library[h.model], h.world_from_model};
+  std::vector<PlacedModel> known;
+  for (int i : active_) {
+    const PlacedModel other = placed(i);
+    if (!overlap(place, inner(h.model), other, inner(candidates_[i].model))) known.push_back(other);
+  }
+  add(make_candidate(input_, hypothesis, known));
 }
 
 void SceneSearch::add(const Candidate& candidate) {

@@ -64,8 +64,8 @@ class SceneSearch {
   const SceneInput& input_;
   SceneSearchOptions options_;
   Ranker ranker_;
-  std::vector<RankedHypothesis> first_ranking_;  ///< by all contours
   GlanceScorer all_contours_;
+  std::vector<RankedHypothesis> first_ranking_;  ///< by all contours
   std::vector<Candidate> candidates_;
   std::vector<char> dead_;
   std::vector<int> active_;

@@ -60,6 +60,11 @@ struct SurfaceMap {
   static int surface_of(std::int32_t id) { return id & 1023; }
   /// The id at the cell that holds pixel (x, y), kNothing outside the image.
   std::int32_t at(double x_px, double y_px) const;
+  /// The depth at a pixel of the image, mm; far beyond everything where nothing is.
+  float depth_at(int x_px, int y_px) const {
+    return depths[static_cast<std::size_t>(y_px / kCellPx) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(x_px / kCellPx)];
+  }
 };
 
 /// Draws `objects` as `camera` sees them, nearest surface first.
