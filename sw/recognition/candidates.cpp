@@ -31,11 +31,14 @@ double pose_distance(const Model& model, const Transform& a, const Transform& b)
   return best;
 }
 
-Ranker::Ranker(const SceneInput& input) : input_(input) {
-  predictions_.reserve(input.hypotheses.size());
-  for (const PoseHypothesis& h : input.hypotheses) {
-    const Model& model = input.library[h.model];
-    predictions_.push_back({glance_points(input.views, model, h.world_from_model),
+Ranker::Ranker(const SceneInput& input) : input_(input) { update(); }
+
+void Ranker::update() {
+  predictions_.reserve(input_.hypotheses.size());
+  for (std::size_t i = predictions_.size(); i < input_.hypotheses.size(); ++i) {
+    const PoseHypothesis& h = input_.hypotheses[i];
+    const Model& model = input_.library[h.model];
+    predictions_.push_back({glance_points(input_.views, model, h.world_from_model),
                             vertex_mean(model, h.world_from_model)});
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "recognition/glance.hpp"
@@ -10,13 +11,18 @@
 
 namespace trihedron {
 
+/// Further hypotheses once some objects are known: their contours and what they hide left out.
+using MoreHypotheses =
+    std::function<std::vector<PoseHypothesis>(const std::vector<PlacedModel>& known)>;
+
 /// What the search for an explanation works on; all of it outlives the search.
 struct SceneInput {
   std::vector<FieldView> views;
   std::vector<SpreadMap> maps;  ///< per view, of all contours
   const std::vector<Model>& library;
   const ModelFacts& facts;  ///< of the library
-  const std::vector<PoseHypothesis>& hypotheses;
+  std::vector<PoseHypothesis> hypotheses;  ///< the search adds to them
+  MoreHypotheses more;                     ///< may be empty
 };
 
 /// Mean distance in mm of the vertices of `model` between two poses, symmetries allowed for.
@@ -33,6 +39,9 @@ struct RankedHypothesis {
 class Ranker {
  public:
   explicit Ranker(const SceneInput& input);
+
+  /// Takes in hypotheses added to the input since.
+  void update();
 
   /// At most `count` hypotheses better than chance, best first, none near a better one of the same
   /// model.

@@ -76,7 +76,8 @@ class PairCrosser {
         a_(a),
         b_(b),
         tolerance_px_(options.end_tolerance_px),
-        min_sine_(std::sin(options.min_plane_angle_rad)) {}
+        min_sine_(std::sin(options.min_plane_angle_rad)),
+        one_view_ends_(options.one_view_ends) {}
 
   void cross(std::vector<SpaceEdge>& out) {
     for (std::size_t i = 0; i < views_[a_].segments.size(); ++i) {
@@ -102,6 +103,11 @@ class PairCrosser {
     const double shortest = tolerance / kSteepest;
     if (high - low < shortest) return;
     agree(views_[a_].stops[i], views_[b_].stops[j], tolerance);
+    if (one_view_ends_) {
+      add_corners(views_[a_].stops[i], along_a_, q, tolerance);
+      add_corners(views_[b_].stops[j], along_b_, p, tolerance);
+      std::sort(agreed_.begin(), agreed_.end());
+    }
     for (std::size_t k = 0; k < agreed_.size(); ++k) {
       for (std::size_t l = k + 1; l < agreed_.size(); ++l) {
         if (agreed_[l] - agreed_[k] >= shortest) emit(agreed_[k], agreed_[l], true, true, out);
@@ -199,6 +205,15 @@ class PairCrosser {
     agreed_.erase(std::unique(agreed_.begin(), agreed_.end(), near), agreed_.end());
   }
 
+  /// Ends in corners that the other view does not reach.
+  void add_corners(const std::vector<Stop>& stops, const std::vector<double>& along,
+                   const Interval& other, double tolerance) {
+    for (std::size_t k = 0; k < along.size(); ++k) {
+      const bool beyond = along[k] < other.low - tolerance || along[k] > other.high + tolerance;
+      if (stops[k].corner && beyond) agreed_.push_back(along[k]);
+    }
+  }
+
   void emit(double low, double high, bool low_agreed, bool high_agreed,
             std::vector<SpaceEdge>& out) const {
     SpaceEdge e;
@@ -226,6 +241,7 @@ class PairCrosser {
   const std::vector<ViewLines>& views_;
   std::size_t a_, b_;
   double tolerance_px_, min_sine_;
+  bool one_view_ends_;
   SpaceLine line_;
   std::size_t segment_a_ = 0, segment_b_ = 0;
   double mm_per_px_ = 0, end_mm_per_px_ = 0, weight_a_ = 0;

@@ -15,7 +15,8 @@ namespace trihedron {
 /// A place along a segment where an edge may end: an end of the segment or a corner on it.
 struct Stop {
   Ray ray;          ///< of the points that project onto it
-  bool end = true;  ///< false: the segment runs on
+  bool end = true;      ///< false: the segment runs on
+  bool corner = false;  ///< an end where another segment ends, too: not one that something hides
 };
 
 /// What one view contributes to the crossing: all of it in the undistorted image.
@@ -31,6 +32,9 @@ struct ViewLines {
 
 /// Segments and corners of one view.
 ViewLines find_lines(const View& view);
+/// The corners, planes and stops of given segments, longest first.
+ViewLines lines_of_segments(const IdealView& ideal, int width, int height,
+                            std::vector<Segment> segments);
 
 /// Segments of two views or more that may show the same edge of an object.
 struct SpaceEdge {
@@ -47,6 +51,9 @@ struct SpaceEdge {
 
 struct CrossingOptions {
   double end_tolerance_px = 4;        ///< of the ends of segments: half of the 5x5 masks and noise
+  /// An edge also ends where one view sees it end in a corner while the other, where something may
+  /// hide it, does not see it reach so far.
+  bool one_view_ends = false;
   double min_plane_angle_rad = 0.14;  ///< planes of sight closer to parallel give no line
 };
 

@@ -41,15 +41,15 @@ Rejection report_rejection(const SceneInput& input, const Candidate& candidate) 
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const std::vector<PoseHypothesis>& hypotheses,
                     const ExplanationOptions& options) {
-  return explain(views, library, ModelFacts(library), hypotheses, options);
+  return explain(views, library, ModelFacts(library), hypotheses, {}, options);
 }
 
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const ModelFacts& facts, const std::vector<PoseHypothesis>& hypotheses,
-                    const ExplanationOptions& options) {
+                    const MoreHypotheses& more, const ExplanationOptions& options) {
   std::vector<ContourField> fields;
   fields.reserve(views.size());
-  SceneInput input{{}, {}, library, facts, hypotheses};
+  SceneInput input{{}, {}, library, facts, hypotheses, more};
   for (const View& view : views) {
     fields.emplace_back(view.features);
     input.views.push_back({&view.camera, &fields.back()});

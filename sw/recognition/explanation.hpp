@@ -21,11 +21,11 @@ struct Explanation {
 
 /// The set of objects that explains the views together: each of them verified with the others
 /// in front of it, none in another's place, none where two different answers are equally good.
-/// Deterministic.
+/// Deterministic. `more` is asked once, with the objects found so far; it may be empty.
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const ModelFacts& facts, const std::vector<PoseHypothesis>& hypotheses,
-                    const ExplanationOptions& options = {});
-/// The same with facts of its own.
+                    const MoreHypotheses& more, const ExplanationOptions& options = {});
+/// The same with facts of its own and no more hypotheses.
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const std::vector<PoseHypothesis>& hypotheses,
                     const ExplanationOptions& options = {});

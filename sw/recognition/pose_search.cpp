@@ -4,6 +4,8 @@
 #include <chrono>
 #include <string>
 
+#include "recognition/remaining_lines.hpp"
+
 namespace trihedron {
 namespace {
 
@@ -41,6 +43,20 @@ PoseSearch search_poses(const std::vector<View>& views, const std::vector<Model>
   out.hypotheses = find_hypotheses(out.lines, out.edges, library, index, options);
   clock.stage("hypotheses", out.hypotheses.size());
   return out;
+}
+
+std::vector<PoseHypothesis> search_rest(const std::vector<View>& views, const PoseSearch& search,
+                                        const std::vector<PlacedModel>& known,
+                                        const std::vector<Model>& library,
+                                        const LibraryIndex& index,
+                                        const HypothesisOptions& options) {
+  std::vector<ViewLines> rest;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    rest.push_back(remaining_lines(search.lines[v], views[v].camera, known));
+  }
+  CrossingOptions crossing;
+  crossing.one_view_ends = true;
+  return find_hypotheses(rest, cross_edges(rest, crossing), library, index, options);
 }
 
 }  // namespace trihedron

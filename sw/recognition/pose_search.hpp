@@ -6,6 +6,7 @@
 #include "recognition/crossing.hpp"
 #include "recognition/hypotheses.hpp"
 #include "recognition/recognize.hpp"
+#include "recognition/visibility.hpp"
 
 namespace trihedron {
 
@@ -21,5 +22,13 @@ struct PoseSearch {
 /// passed check_views.
 PoseSearch search_poses(const std::vector<View>& views, const std::vector<Model>& library,
                         const LibraryIndex& index, const HypothesisOptions& options = {});
+
+/// Poses of objects that `known` ones hide in part, from the lines that those leave: an edge may
+/// end where one view alone sees its corner.
+std::vector<PoseHypothesis> search_rest(const std::vector<View>& views, const PoseSearch& search,
+                                        const std::vector<PlacedModel>& known,
+                                        const std::vector<Model>& library,
+                                        const LibraryIndex& index,
+                                        const HypothesisOptions& options = {});
 
 }  // namespace trihedron

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "recognition/scene_search.hpp"
+#include "recognition/similar_shapes.hpp"
 
 namespace trihedron {
 namespace {
@@ -74,30 +75,55 @@ void SceneSearch::add_turned(int winner) {
   }
 }
 
+/// Whether another shape in the winner's place, at `pose` or refined from there, gives more than
+/// `enough` log evidence.
+bool SceneSearch::explains_more(int winner, const Model& shape, const Transform& pose,
+                                double enough) const {
+  int position = 0;
+  std::vector<PlacedModel> context = context_of(winner, position);
+  context[position] = {&shape, pose};
+  const auto evidence = [&] {
+    return verify(input_.views, input_.maps, context, position,
+                  collect_evidence(input_.views, context, position))
+        .log_against_chance;
+  };
+  if (evidence() > enough) return true;
+  RefinementOptions near;
+  near.reaches_mm = kLookalikeReachesMm;
+  near.exact_rounds = 2;
+  const RefinedPose refined = refine(input_.views, context, position, near);
+  if (!refined.converged) return false;
+  context[position].world_from_model = refined.world_from_model;
+  return evidence() > enough;
+}
+
 /// Whether the mirror image in the winner's place would explain the scene as well: then nothing
 /// that was seen tells which of the two it is.
-bool SceneSearch::mirrored_as_good(int winner) {
+bool SceneSearch::mirrored_as_good(int winner) const {
   const Lookalikes& alike = input_.facts.lookalikes(candidates_[winner].model);
   if (!alike.mirrored) return false;
   const PlacedModel place = placed(winner);
   const double own = at_a_glance(*place.model, place.world_from_model);
   const double enough = candidates_[winner].verdict.log_against_chance * (1 - kAmbiguous);
+  return std::any_of(
+      alike.mirrored_onto.begin(), alike.mirrored_onto.end(), [&](const Transform& motion) {
+        const Transform pose = place.world_from_model * motion;
+        return at_a_glance(*alike.mirrored, pose) >= kRivalShare * own &&
+               explains_more(winner, *alike.mirrored, pose, enough);
+      });
+}
+
+/// What differs in a similar shape that would explain the scene as well, "": none would.
+std::string SceneSearch::similar_as_good(int winner) const {
   int position = 0;
-  std::vector<PlacedModel> context = context_of(winner, position);
-  RefinementOptions near;
-  near.reaches_mm = kLookalikeReachesMm;
-  near.exact_rounds = 2;
-  for (const Transform& motion : alike.mirrored_onto) {
-    const Transform pose = place.world_from_model * motion;
-    if (at_a_glance(*alike.mirrored, pose) < kRivalShare * own) continue;
-    context[position] = {&*alike.mirrored, pose};
-    const RefinedPose refined = refine(input_.views, context, position, near);
-    if (refined.converged) context[position].world_from_model = refined.world_from_model;
-    const Verdict verdict = verify(input_.views, input_.maps, context, position,
-                                   collect_evidence(input_.views, context, position));
-    if (verdict.log_against_chance > enough) return true;
+  const std::vector<PlacedModel> context = context_of(winner, position);
+  const double enough = candidates_[winner].verdict.log_against_chance * (1 - kAmbiguous);
+  const ObjectEvidence evidence = collect_evidence(input_.views, context, position);
+  for (const SimilarShape& shape :
+       similar_shapes(input_.views, input_.maps, context[position], evidence)) {
+    if (explains_more(winner, shape.model, shape.world_from_model, enough)) return shape.what;
   }
-  return false;
+  return "";
 }
 
 /// Judges every rival for the winner's place; the best accepted one, -1: none.
@@ -128,7 +154,9 @@ std::string SceneSearch::doubt_about(int winner) {
   if (next >= 0 && candidates_[next].verdict.log_against_chance * (1 - kAmbiguous) > mine) {
     return "ambiguous: an answer that is refused explains more";
   }
-  return mirrored_as_good(winner) ? "similar shape: the model's mirror image explains as much" : "";
+  if (mirrored_as_good(winner)) return "similar shape: the model's mirror image explains as much";
+  const std::string similar = similar_as_good(winner);
+  return similar.empty() ? "" : "similar shape: " + similar;
 }
 
 /// Holds an object against its rivals: one that explains clearly more takes its place, one that

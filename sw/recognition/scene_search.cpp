@@ -17,7 +17,7 @@ constexpr double kSamePoseMm = 1.0;
 
 }  // namespace
 
-SceneSearch::SceneSearch(const SceneInput& input, const SceneSearchOptions& options)
+SceneSearch::SceneSearch(SceneInput& input, const SceneSearchOptions& options)
     : input_(input),
       options_(options),
       ranker_(input),
@@ -26,12 +26,29 @@ SceneSearch::SceneSearch(const SceneInput& input, const SceneSearchOptions& opti
       tried_(input.hypotheses.size(), 0) {}
 
 void SceneSearch::run() {
+  search();
+  if (ask_for_more()) search();
+  settle_rivals();
+}
+
+void SceneSearch::search() {
   for (int idle = 0; idle < options_.patience;) {
     const std::vector<int> before = active_;
     if (!try_batch()) break;
     idle = active_ == before ? idle + 1 : 0;
   }
-  settle_rivals();
+}
+
+/// Asks for hypotheses of what the objects so far leave; false when there are none.
+bool SceneSearch::ask_for_more() {
+  if (!input_.more || active_.empty()) return false;
+  std::vector<PlacedModel> known;
+  for (int i : active_) known.push_back(placed(i));
+  const std::vector<PoseHypothesis> more = input_.more(known);
+  input_.hypotheses.insert(input_.hypotheses.end(), more.begin(), more.end());
+  ranker_.update();
+  tried_.resize(input_.hypotheses.size(), 0);
+  return !more.empty();
 }
 
 PlacedModel SceneSearch::placed(int i) const {

@@ -23,7 +23,7 @@ struct SceneSearchOptions {
 /// worst one that fails goes; contours explained by the objects leave the next ranking.
 class SceneSearch {
  public:
-  SceneSearch(const SceneInput& input, const SceneSearchOptions& options);
+  SceneSearch(SceneInput& input, const SceneSearchOptions& options);
 
   void run();
 
@@ -44,6 +44,8 @@ class SceneSearch {
   bool below_table(const Candidate& candidate, std::string& reason) const;
 
   std::vector<RankedHypothesis> rank_rest();
+  void search();
+  bool ask_for_more();
   bool try_batch();
   void add(int hypothesis);
   void add(const Candidate& candidate);
@@ -54,14 +56,16 @@ class SceneSearch {
   double at_a_glance(const Model& model, const Transform& pose) const;
   void find_rivals(int winner);
   void add_turned(int winner);
-  bool mirrored_as_good(int winner);
+  bool explains_more(int winner, const Model& shape, const Transform& pose, double enough) const;
+  bool mirrored_as_good(int winner) const;
+  std::string similar_as_good(int winner) const;
   int best_rival(int winner);
   std::string doubt_about(int winner);
   void settle_rivals(int winner);
   bool is_rival(int i, int winner);
   void settle_rivals();
 
-  const SceneInput& input_;
+  SceneInput& input_;
   SceneSearchOptions options_;
   Ranker ranker_;
   GlanceScorer all_contours_;

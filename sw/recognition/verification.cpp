@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -209,19 +210,28 @@ double log10_tail(double n, double q, double p) {
   return -n * divergence / std::log(10.0);
 }
 
+}  // namespace
+
+PieceOdds piece_odds(const std::vector<SpreadMap>& chance, const PieceEvidence& piece) {
+  const double p =
+      chance[piece.view].found[ContourField::bin_of(piece.normal.x(), piece.normal.y())];
+  return {std::min(piece.points * kEvidenceStepPx / kIndependentPx, kAnswers), std::log(0.95 / p),
+          std::log(0.05 / (1 - p)), p};
+}
+
+namespace {
+
 void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence,
                   double tests, Verdict& out) {
   double n = 0, p_sum = 0, found = 0;
   for (const PieceEvidence& piece : evidence.pieces) {
-    const double p =
-        chance[piece.view].found[ContourField::bin_of(piece.normal.x(), piece.normal.y())];
-    const double answers = std::min(piece.points * kEvidenceStepPx / kIndependentPx, kAnswers);
-    n += answers;
-    p_sum += answers * p;
-    found += answers * piece.found;
+    const PieceOdds odds = piece_odds(chance, piece);
+    n += odds.answers;
+    p_sum += odds.answers * odds.chance;
+    found += odds.answers * piece.found;
     const double missed = 1 - piece.found - piece.weak;
-    const double hit = std::log(0.95 / p), miss = std::log(0.05 / (1 - p));
-    out.log_against_chance += answers * (piece.found * hit + missed * miss) + piece.weak * kLogWeak;
+    out.log_against_chance +=
+        odds.answers * (piece.found * odds.hit + missed * odds.miss) + piece.weak * kLogWeak;
     out.visible_px += piece.length_px;
     out.found_share += piece.length_px * piece.found;
   }
@@ -239,12 +249,9 @@ double evidence_share(const std::vector<SpreadMap>& chance,
                       const std::vector<const PieceEvidence*>& pieces) {
   double all = 0, got = 0;
   for (const PieceEvidence* piece : pieces) {
-    const double p =
-        chance[piece->view].found[ContourField::bin_of(piece->normal.x(), piece->normal.y())];
-    const double answers = std::min(piece->points * kEvidenceStepPx / kIndependentPx, kAnswers);
-    const double hit = std::log(0.95 / p), miss = std::log(0.05 / (1 - p));
-    all += answers * hit;
-    got += answers * (piece->found * hit + (1 - piece->found - piece->weak) * miss);
+    const PieceOdds odds = piece_odds(chance, *piece);
+    all += odds.answers * odds.hit;
+    got += odds.answers * (piece->found * odds.hit + (1 - piece->found - piece->weak) * odds.miss);
   }
   return got / std::max(all, 1e-9);
 }
@@ -276,7 +283,18 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
     alternative.log_odds -= std::log(surfaces);
     if (alternative.log_odds > out.displaced.log_odds) out.displaced = alternative;
   }
-  if (out.log10_false_alarms > -3) {
+  static const int off = std::getenv("OFF") ? std::atoi(std::getenv("OFF")) : 0;
+  static const double least = std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : kLeastEvidence;
+  static const double simleast = std::getenv("SIM") ? std::atof(std::getenv("SIM")) : 0;
+  static const double unsleast = std::getenv("UNS") ? std::atof(std::getenv("UNS")) : 0;
+  static const double displeast = std::getenv("DISP") ? std::atof(std::getenv("DISP")) : 0;
+  if (off) {
+    if (out.log10_false_alarms > -3) out.reason = "chance";
+    else if (out.displaced.log_odds > displeast) out.reason = "displaced";
+    else if (out.log_against_unseen < unsleast) out.reason = "unseen";
+    else if (out.log_against_similar < simleast) out.reason = "sim";
+    else if (out.evidence_share < least) out.reason = "share";
+  } else if (out.log10_false_alarms > -3) {
     out.reason = text("chance: %.0f %% of the visible edges found, as random poses do (10^%.1f)",
                       100 * out.found_share, out.log10_false_alarms);
   } else if (out.displaced.log_odds > 0) {

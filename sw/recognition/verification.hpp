@@ -37,6 +37,14 @@ struct Verdict {
   std::string reason;  ///< one line, why not; empty when accepted
 };
 
+/// What a piece of evidence can say against chance.
+struct PieceOdds {
+  double answers = 0;        ///< independent ones
+  double hit = 0, miss = 0;  ///< log likelihood ratio of an answer
+  double chance = 0;         ///< probability of a hit by chance
+};
+PieceOdds piece_odds(const std::vector<SpreadMap>& chance, const PieceEvidence& piece);
+
 struct VerificationOptions {
   double tests = 1e4;  ///< poses that were in question
 };
