@@ -149,6 +149,22 @@ def corners(v, t):
     return [i for i in range(len(v)) if np.linalg.matrix_rank(n[(t == i).any(1)], tol=1e-6) == 3]
 
 
+def by_surface(v, t):
+    """The triangles, those of one planar face together: programs that number faces by their triangles agree."""
+    n = np.cross(v[t[:, 1]] - v[t[:, 0]], v[t[:, 2]] - v[t[:, 0]])
+    n /= np.linalg.norm(n, axis=1, keepdims=True)
+    edges = [{frozenset((a, b)) for a, b in zip(f, np.roll(f, 1))} for f in t.tolist()]
+    order, rest = [], list(range(len(t)))
+    while rest:
+        face = [rest.pop(0)]
+        for i in face:
+            same = [j for j in rest if edges[i] & edges[j] and n[i] @ n[j] > 0.9999]
+            face += same
+            rest = [j for j in rest if j not in same]
+        order += face
+    return t[order]
+
+
 def symmetries(p, tolerance):
     """Proper rotations about the mean of `p` that map the points onto themselves."""
     c = p.mean(0)
@@ -196,7 +212,7 @@ def main(folder):
             entry["symmetries_discrete"] = [
                 [round(float(x), 6) + 0.0 for x in np.vstack([np.column_stack(m), [0, 0, 0, 1]]).ravel()]
                 for m in motions]
-        write_ply(os.path.join(folder, f"obj_{number:06d}.ply"), v, t)
+        write_ply(os.path.join(folder, f"obj_{number:06d}.ply"), v, by_surface(v, np.asarray(t)))
         info[str(number)], names[str(number)] = entry, name
         print(f"{number:2d} {name:16s} {size.round(1)} diameter {diameter:.1f} symmetries {len(motions)}")
     for file, content in (("models_info.json", info), ("models_names.json", names)):
