@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "recognition/view_shift.hpp"
+
 namespace trihedron {
 namespace {
 
@@ -21,6 +23,9 @@ constexpr double kMergedPx = 3.5;
 constexpr double kSharedPx = 4.0;
 /// Contours within this of a predicted line belong to it, px.
 constexpr double kExplainedPx = 3.0;
+
+/// Points that tell how a view is shifted, apart and away from junctions, px.
+constexpr double kShiftStepPx = 8, kShiftEndPx = 4;
 
 /// Whether a predicted line with about this normal passes x.
 bool explained(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double within_px,
@@ -158,8 +163,18 @@ void settle(PieceEvidence& piece, const std::vector<Beside>& beside, std::vector
 
 void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& objects, int index,
                   ObjectEvidence& out) {
-  const auto lines = visible_edges(*view.camera, objects);
+  auto lines = visible_edges(*view.camera, objects);
   std::vector<VisibleEdge> own, others;
+  for (const VisibleEdge& line : lines) {
+    if (line.object == index) own.push_back(line);
+  }
+  const Eigen::Vector2d shift =
+      view_shift(*view.field, edge_points(view, v, own, kShiftStepPx, kShiftEndPx));
+  own.clear();
+  for (VisibleEdge& line : lines) {
+    line.x0 += shift;
+    line.x1 += shift;
+  }
   for (const VisibleEdge& line : lines) {
     if (line.object == index) own.push_back(line);
     if (line.object < index) others.push_back(line);
@@ -172,7 +187,8 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
                       std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
                       kSimilarShapes * placed.model->diameter * px_per_mm,
                       {}};
-  const auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
+  auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
+  for (EdgePoint& p : points) p.x += shift;
   std::vector<Beside> beside;
   std::vector<double> found;
   for (std::size_t i = 0; i < points.size();) {

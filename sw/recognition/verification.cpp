@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -108,22 +107,6 @@ std::vector<const PieceEvidence*> independent_pieces(const ObjectEvidence& evide
   }
   out.insert(out.end(), flat.begin(), flat.end());
   return out;
-}
-
-/// Log odds of "all edges as the model says" against "a fair share of them elsewhere". Of the
-/// poses that come so far, about two agree in part for one that is right.
-double log_against_similar(const std::vector<const PieceEvidence*>& pieces) {
-  constexpr double kShares[] = {0.2, 0.4, 0.8};
-  constexpr double kPriorOdds = 2;
-  double there = 0;
-  for (const PieceEvidence* piece : pieces) there += std::log(likelihood_there(*piece));
-  double elsewhere = 0;
-  for (double share : kShares) {
-    double log = 0;
-    for (const PieceEvidence* piece : pieces) log += std::log(likelihood_partly(*piece, share));
-    elsewhere += std::exp(std::min(log - there, 600.0)) / std::size(kShares);
-  }
-  return -std::log(kPriorOdds * std::max(elsewhere, 1e-300));
 }
 
 /// Log odds of "there" against "not what this view sees" (a pose wrong in depth, say), for the
@@ -239,22 +222,22 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
   out.log10_false_alarms = std::log10(tests) + (n > 0 ? log10_tail(n, found / n, p_sum / n) : 0.0);
 }
 
-/// Least share of the evidence of an object all of whose edges are found. One edge missed costs as
-/// much as two found ones give: a tenth of them weak or hidden leaves 0.71, a fifth of the rest
-/// elsewhere 0.22. Midway.
-constexpr double kLeastEvidence = 0.46;
-
-/// The share that the pieces give of the evidence that they would give if all were found.
-double evidence_share(const std::vector<SpreadMap>& chance,
-                      const std::vector<const PieceEvidence*>& pieces) {
-  double all = 0, got = 0;
-  for (const PieceEvidence* piece : pieces) {
-    const PieceOdds odds = piece_odds(chance, *piece);
-    all += odds.answers * odds.hit;
-    got += odds.answers * (piece->found * odds.hit + (1 - piece->found - piece->weak) * odds.miss);
-  }
-  return got / std::max(all, 1e-9);
+/// Log odds of right against wrong from what was measured: logistic regression over 443 claims on
+/// generated scenes, 394 right, 49 wrong (libraries of shapes 10 % different or mirrored, or of
+/// other shapes), which nothing but chance and rivals had been asked about. Fitted on the claims of
+/// one library and asked about the other it is about as good; more measures add nothing to these.
+double log_odds(const Verdict& verdict) {
+  constexpr double kPerEvidence = 0.07, kPerUnseen = 0.2, kPerDisplaced = 0.17, kNone = -5.2;
+  // Beyond these no claim was in doubt.
+  const double evidence = std::min(verdict.log_against_chance, 150.0);
+  const double unseen = std::min(verdict.log_against_unseen, 15.0);
+  const double displaced = std::clamp(verdict.displaced.log_odds, -5.0, 15.0);
+  return kPerEvidence * evidence + kPerUnseen * unseen - kPerDisplaced * displaced + kNone;
 }
+
+/// A claim needs these log odds: e^1.5, as five to one, on the scenes above, a tenth of which are
+/// made to deceive.
+constexpr double kLeastLogOdds = 1.5;
 
 std::string text(const char* format, double a, double b = 0) {
   char buffer[160];
@@ -270,8 +253,6 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
   Verdict out;
   judge_chance(chance, evidence, options.tests, out);
   const auto pieces = independent_pieces(evidence, *objects[index].model);
-  out.log_against_similar = log_against_similar(pieces);
-  out.evidence_share = evidence_share(chance, pieces);
   out.log_against_unseen = log_against_unseen(pieces, static_cast<int>(views.size()));
   const Model& model = *objects[index].model;
   const auto surfaces = static_cast<double>(model.surfaces.size());
@@ -283,27 +264,19 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
     alternative.log_odds -= std::log(surfaces);
     if (alternative.log_odds > out.displaced.log_odds) out.displaced = alternative;
   }
-  static const int off = std::getenv("OFF") ? std::atoi(std::getenv("OFF")) : 0;
-  static const double least = std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : kLeastEvidence;
-  static const double simleast = std::getenv("SIM") ? std::atof(std::getenv("SIM")) : 0;
-  static const double unsleast = std::getenv("UNS") ? std::atof(std::getenv("UNS")) : 0;
-  static const double displeast = std::getenv("DISP") ? std::atof(std::getenv("DISP")) : 0;
-  if (off) {
-    if (out.log10_false_alarms > -3) out.reason = "chance";
-    else if (out.displaced.log_odds > displeast) out.reason = "displaced";
-    else if (out.log_against_unseen < unsleast) out.reason = "unseen";
-    else if (out.log_against_similar < simleast) out.reason = "sim";
-    else if (out.evidence_share < least) out.reason = "share";
-  } else if (out.log10_false_alarms > -3) {
+  out.log_odds = log_odds(out);
+  if (out.log10_false_alarms > -3) {
     out.reason = text("chance: %.0f %% of the visible edges found, as random poses do (10^%.1f)",
                       100 * out.found_share, out.log10_false_alarms);
+  } else if (out.log_odds >= kLeastLogOdds) {
+    out.reason.clear();
   } else if (out.displaced.log_odds > 0) {
     out.reason = "similar shape: surface " + std::to_string(out.displaced.surface) +
                  text(" of the object lies %+.1f mm off the model's", out.displaced.outwards_mm);
   } else if (out.log_against_unseen < 0) {
     out.reason = text("unseen: a view that should show the object does not (log odds %.1f)",
                       out.log_against_unseen);
-  } else if (out.log_against_similar < 0 || out.evidence_share < kLeastEvidence) {
+  } else {
     out.reason =
         text("partial: %.0f %% of the visible edges found, %.0f %% have their edge elsewhere",
              100 * out.found_share, 100 * evidence.displaced_px / out.visible_px);

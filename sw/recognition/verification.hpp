@@ -23,14 +23,10 @@ struct Verdict {
   double log10_false_alarms = 0;
   /// Log likelihood ratio of the evidence, object against chance: ranks explanations.
   double log_against_chance = 0;
-  /// Its share of what an object gives all of whose edges are found; edges that one lack of
-  /// contrast hides count once.
-  double evidence_share = 0;
-  /// Log odds "the model as it is" against "something that shares only part of its edges".
-  double log_against_similar = 0;
   /// Log odds "there" against "a view that should show the object does not", worst view.
   double log_against_unseen = 0;
   DisplacedSurface displaced;
+  double log_odds = 0;     ///< right against wrong, all of the above weighed together
   double found_share = 0;  ///< of the visible edge length
   double visible_px = 0;   ///< edge length asked for
   bool accepted = false;
@@ -49,9 +45,9 @@ struct VerificationOptions {
   double tests = 1e4;  ///< poses that were in question
 };
 
-/// Judges `objects[index]` by its evidence; `chance` is each view's map of all contours. Nothing is
-/// tuned to a score: the object must be unlikely as an accident, and likelier than a shape or pose
-/// that agrees only in part.
+/// Judges `objects[index]` by its evidence; `chance` is each view's map of all contours. The
+/// object must be unlikely as an accident, and right rather than wrong by the odds of all that
+/// speaks for and against it.
 Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>& chance,
                const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,
                const VerificationOptions& options = {});
