@@ -20,7 +20,7 @@ struct SceneInput {
   std::vector<FieldView> views;
   std::vector<SpreadMap> maps;  ///< per view, of all contours
   const std::vector<Model>& library;
-  const ModelFacts& facts;  ///< of the library
+  const ModelFacts& facts;                 ///< of the library
   std::vector<PoseHypothesis> hypotheses;  ///< the search adds to them
   MoreHypotheses more;                     ///< may be empty
 };

@@ -14,7 +14,7 @@ namespace trihedron {
 
 /// A place along a segment where an edge may end: an end of the segment or a corner on it.
 struct Stop {
-  Ray ray;          ///< of the points that project onto it
+  Ray ray;              ///< of the points that project onto it
   bool end = true;      ///< false: the segment runs on
   bool corner = false;  ///< an end where another segment ends, too: not one that something hides
 };
@@ -50,7 +50,7 @@ struct SpaceEdge {
 };
 
 struct CrossingOptions {
-  double end_tolerance_px = 4;        ///< of the ends of segments: half of the 5x5 masks and noise
+  double end_tolerance_px = 4;  ///< of the ends of segments: half of the 5x5 masks and noise
   /// An edge also ends where one view sees it end in a corner while the other, where something may
   /// hide it, does not see it reach so far.
   bool one_view_ends = false;

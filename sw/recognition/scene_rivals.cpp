@@ -21,6 +21,10 @@ constexpr double kRivalShareAlone = 0.4;
 constexpr double kSameAnswer = 0.05;
 /// Poses of lookalikes are known to kCoincide of the diameter: how far contours are looked for, mm.
 const std::vector<double> kLookalikeReachesMm = {2.5, 1};
+/// Those of shapes stretched about their middle, mm: half of a tenth of 100 mm.
+const std::vector<double> kStretchedReachesMm = {5, 2.5, 1};
+/// No shape a tenth longer or shorter has come so far: such claims are not held against them.
+constexpr double kSureLogOdds = 6;
 
 }  // namespace
 
@@ -78,7 +82,7 @@ void SceneSearch::add_turned(int winner) {
 /// Whether another shape in the winner's place, at `pose` or refined from there, gives more than
 /// `enough` log evidence.
 bool SceneSearch::explains_more(int winner, const Model& shape, const Transform& pose,
-                                double enough) const {
+                                const std::vector<double>& reaches_mm, double enough) const {
   int position = 0;
   std::vector<PlacedModel> context = context_of(winner, position);
   context[position] = {&shape, pose};
@@ -89,7 +93,7 @@ bool SceneSearch::explains_more(int winner, const Model& shape, const Transform&
   };
   if (evidence() > enough) return true;
   RefinementOptions near;
-  near.reaches_mm = kLookalikeReachesMm;
+  near.reaches_mm = reaches_mm;
   near.exact_rounds = 2;
   const RefinedPose refined = refine(input_.views, context, position, near);
   if (!refined.converged) return false;
@@ -109,19 +113,27 @@ bool SceneSearch::mirrored_as_good(int winner) const {
       alike.mirrored_onto.begin(), alike.mirrored_onto.end(), [&](const Transform& motion) {
         const Transform pose = place.world_from_model * motion;
         return at_a_glance(*alike.mirrored, pose) >= kRivalShare * own &&
-               explains_more(winner, *alike.mirrored, pose, enough);
+               explains_more(winner, *alike.mirrored, pose, kLookalikeReachesMm, enough);
       });
 }
 
-/// What differs in a similar shape that would explain the scene as well, "": none would.
-std::string SceneSearch::similar_as_good(int winner) const {
+/// What differs in a similar shape that would explain the scene better, "": none would.
+std::string SceneSearch::similar_is_better(int winner) const {
   int position = 0;
   const std::vector<PlacedModel> context = context_of(winner, position);
-  const double enough = candidates_[winner].verdict.log_against_chance * (1 - kAmbiguous);
   const ObjectEvidence evidence = collect_evidence(input_.views, context, position);
-  for (const SimilarShape& shape :
-       similar_shapes(input_.views, input_.maps, context[position], evidence)) {
-    if (explains_more(winner, shape.model, shape.world_from_model, enough)) return shape.what;
+  const SimilarShapes similar =
+      similar_shapes(input_.views, input_.maps, context[position], evidence);
+  const double enough = candidates_[winner].verdict.log_against_chance + similar.log_choices;
+  const auto better = [&](const SimilarShape& shape, const std::vector<double>& reaches_mm) {
+    return explains_more(winner, shape.model, shape.world_from_model, reaches_mm, enough);
+  };
+  for (const SimilarShape& shape : similar.placed) {
+    if (better(shape, kLookalikeReachesMm)) return shape.what;
+  }
+  if (candidates_[winner].verdict.log_odds > kSureLogOdds) return "";
+  for (const SimilarShape& shape : similar.near) {
+    if (better(shape, kStretchedReachesMm)) return shape.what;
   }
   return "";
 }
@@ -155,8 +167,8 @@ std::string SceneSearch::doubt_about(int winner) {
     return "ambiguous: an answer that is refused explains more";
   }
   if (mirrored_as_good(winner)) return "similar shape: the model's mirror image explains as much";
-  const std::string similar = similar_as_good(winner);
-  return similar.empty() ? "" : "similar shape: " + similar;
+  const std::string similar = similar_is_better(winner);
+  return similar.empty() ? "" : "similar shape: " + similar + " explains more";
 }
 
 /// Holds an object against its rivals: one that explains clearly more takes its place, one that

@@ -56,9 +56,10 @@ class SceneSearch {
   double at_a_glance(const Model& model, const Transform& pose) const;
   void find_rivals(int winner);
   void add_turned(int winner);
-  bool explains_more(int winner, const Model& shape, const Transform& pose, double enough) const;
+  bool explains_more(int winner, const Model& shape, const Transform& pose,
+                     const std::vector<double>& reaches_mm, double enough) const;
   bool mirrored_as_good(int winner) const;
-  std::string similar_as_good(int winner) const;
+  std::string similar_is_better(int winner) const;
   int best_rival(int winner);
   std::string doubt_about(int winner);
   void settle_rivals(int winner);

@@ -31,17 +31,30 @@ constexpr double kFoundPx = 1.8;
 /// A shape that seems to explain less than this part of what the model explains is not tried.
 constexpr double kPromise = 0.7;
 
+void add_axis(const Vector3d& axis, std::vector<Vector3d>& axes) {
+  constexpr double kSame = 0.98;  // cosine
+  const bool known = std::any_of(axes.begin(), axes.end(), [&](const Vector3d& other) {
+    return std::abs(axis.dot(other)) > kSame;
+  });
+  if (!known) axes.push_back(axis);
+}
+
+/// The axes of a model's frame, and what its symmetries make of them: a pose is known but for
+/// those, and a stretched shape has them no more.
+std::vector<Vector3d> frame_axes(const Model& model) {
+  std::vector<Vector3d> axes;
+  for (int k = 0; k < 3; ++k) add_axis(Vector3d::Unit(k), axes);
+  for (const Transform& symmetry : model.symmetries) {
+    for (int k = 0; k < 3; ++k) add_axis(symmetry.R.col(k), axes);
+  }
+  return axes;
+}
+
 /// Unit directions along which a model may be longer or shorter: its frame's, and those of its
 /// largest surface and of the largest one across it, where they differ.
 std::vector<Vector3d> stretch_axes(const Model& model) {
-  std::vector<Vector3d> axes = {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
-  constexpr double kSame = 0.98, kAcross = 0.2;  // cosines
-  const auto add = [&](const Vector3d& axis) {
-    const bool known = std::any_of(axes.begin(), axes.end(), [&](const Vector3d& other) {
-      return std::abs(axis.dot(other)) > kSame;
-    });
-    if (!known) axes.push_back(axis);
-  };
+  std::vector<Vector3d> axes = frame_axes(model);
+  constexpr double kAcross = 0.2;  // cosine
   const auto smaller = [](const Surface& a, const Surface& b) { return a.area < b.area; };
   const Vector3d first =
       std::max_element(model.surfaces.begin(), model.surfaces.end(), smaller)->normal;
@@ -49,12 +62,30 @@ std::vector<Vector3d> stretch_axes(const Model& model) {
   for (const Surface& s : model.surfaces) {
     if (std::abs(s.normal.dot(first)) < kAcross && (!second || smaller(*second, s))) second = &s;
   }
-  add(first);
+  add_axis(first, axes);
   if (second) {
-    add(second->normal);
-    add(first.cross(second->normal).normalized());
+    add_axis(second->normal, axes);
+    add_axis(first.cross(second->normal).normalized(), axes);
   }
   return axes;
+}
+
+/// The model stretched along an axis, its points `rest` mm along that at rest.
+Change stretch(const Model& model, const Vector3d& axis, double rest) {
+  Change out{{}, kLeastStretch, kMostStretch, -1};
+  for (const Vector3d& v : model.mesh.vertices) {
+    out.per_unit.push_back((axis.dot(v) - rest) * axis);
+  }
+  return out;
+}
+
+double middle_along(const Model& model, const Vector3d& axis) {
+  double low = 1e300, high = -1e300;
+  for (const Vector3d& v : model.mesh.vertices) {
+    low = std::min(low, axis.dot(v));
+    high = std::max(high, axis.dot(v));
+  }
+  return 0.5 * (low + high);
 }
 
 /// Stretches along one axis, each with another of the model's places at rest.
@@ -63,16 +94,12 @@ void add_stretches(const Model& model, const Vector3d& axis, std::vector<Change>
   std::vector<double> places;
   for (const Vector3d& v : model.mesh.vertices) places.push_back(axis.dot(v));
   std::sort(places.begin(), places.end());
-  places.push_back(0.5 * (places.front() + places.back()));
+  places.push_back(middle_along(model, axis));
   double last = -1e300;
   for (const double rest : places) {
     if (std::abs(rest - last) < kSamePlaceMm) continue;
     last = rest;
-    Change change{{}, kLeastStretch, kMostStretch, -1};
-    for (const Vector3d& v : model.mesh.vertices) {
-      change.per_unit.push_back((axis.dot(v) - rest) * axis);
-    }
-    out.push_back(std::move(change));
+    out.push_back(stretch(model, axis, rest));
   }
 }
 
@@ -114,16 +141,16 @@ struct Piece {
   double along;        ///< of the middle from v0 to v1
 };
 
-std::vector<Piece> prepare(const std::vector<FieldView>& views, const std::vector<SpreadMap>& chance,
-                           const PlacedModel& placed, const ObjectEvidence& evidence) {
+std::vector<Piece> prepare(const std::vector<FieldView>& views,
+                           const std::vector<SpreadMap>& chance, const PlacedModel& placed,
+                           const ObjectEvidence& evidence) {
   std::vector<Piece> out;
   const Transform model_from_world = placed.world_from_model.inverse();
   for (const PieceEvidence& piece : evidence.pieces) {
     const ModelEdge& edge = placed.model->edges[piece.edge];
     const Vector3d& v0 = placed.model->mesh.vertices[edge.v0];
     const Vector3d run = placed.model->mesh.vertices[edge.v1] - v0;
-    const double along =
-        run.dot(model_from_world * piece.middle_in_world - v0) / run.squaredNorm();
+    const double along = run.dot(model_from_world * piece.middle_in_world - v0) / run.squaredNorm();
     const Vector3d across =
         views[piece.view].camera->projection_jacobian(piece.middle_in_world).transpose() *
         piece.normal;
@@ -151,8 +178,7 @@ double promised(const std::vector<Piece>& pieces, const std::vector<double>& shi
     if (e.displaced > 0 && std::abs(e.displacement_px - shift) < 2 + 0.25 * std::abs(shift)) {
       found += e.displaced;
     }
-    sum += pieces[i].answers *
-           (found * pieces[i].hit + (1 - found - e.weak) * pieces[i].miss);
+    sum += pieces[i].answers * (found * pieces[i].hit + (1 - found - e.weak) * pieces[i].miss);
   }
   return sum;
 }
@@ -188,7 +214,7 @@ SimilarShape realize(const PlacedModel& placed, const Change& change, double par
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v] += parameter * change.per_unit[v];
   char text[80];
   if (change.surface < 0) {
-    std::snprintf(text, sizeof text, "one %.0f %% %s explains as much", 100 * std::abs(parameter),
+    std::snprintf(text, sizeof text, "one %.0f %% %s", 100 * std::abs(parameter),
                   parameter > 0 ? "longer" : "shorter");
   } else {
     std::snprintf(text, sizeof text, "surface %d of the object lies %+.1f mm off the model's",
@@ -216,10 +242,9 @@ Model reshaped(const Model& model, const std::vector<Vector3d>& vertices) {
   return out;
 }
 
-std::vector<SimilarShape> similar_shapes(const std::vector<FieldView>& views,
-                                         const std::vector<SpreadMap>& chance,
-                                         const PlacedModel& placed,
-                                         const ObjectEvidence& evidence) {
+SimilarShapes similar_shapes(const std::vector<FieldView>& views,
+                             const std::vector<SpreadMap>& chance, const PlacedModel& placed,
+                             const ObjectEvidence& evidence) {
   const bool displaced =
       std::any_of(evidence.pieces.begin(), evidence.pieces.end(),
                   [](const PieceEvidence& piece) { return piece.displaced >= 0.5; });
@@ -235,8 +260,15 @@ std::vector<SimilarShape> similar_shapes(const std::vector<FieldView>& views,
   std::stable_sort(found.begin(), found.end(),
                    [](const Promise& a, const Promise& b) { return a.score > b.score; });
   if (found.size() > kSimilarTried) found.resize(kSimilarTried);
-  std::vector<SimilarShape> out;
-  for (const Promise& p : found) out.push_back(realize(placed, all[p.change], p.parameter));
+  SimilarShapes out;
+  out.log_choices = std::log(static_cast<double>(all.size()));
+  for (const Promise& p : found) out.placed.push_back(realize(placed, all[p.change], p.parameter));
+  for (const Vector3d& axis : frame_axes(*placed.model)) {
+    const Change change = stretch(*placed.model, axis, middle_along(*placed.model, axis));
+    for (const double by : {kSimilarStretch, -kSimilarStretch}) {
+      out.near.push_back(realize(placed, change, by));
+    }
+  }
   return out;
 }
 

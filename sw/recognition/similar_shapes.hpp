@@ -13,17 +13,30 @@ namespace trihedron {
 struct SimilarShape {
   Model model;
   Transform world_from_model;
-  std::string what;  ///< "9.8 % longer", "surface 3 lies +4.2 mm off the model's"
+  std::string what;  ///< "one 9 % longer", "surface 3 of the object lies +4.2 mm off the model's"
+};
+
+/// Shapes to hold a claim against.
+struct SimilarShapes {
+  /// Where the model stands, most promising first.
+  std::vector<SimilarShape> placed;
+  /// About there: their poses have to be found.
+  std::vector<SimilarShape> near;
+  /// log of the number of shapes they were chosen from: so much more must one of them explain.
+  double log_choices = 0;
 };
 
 inline constexpr int kSimilarTried = 3;
+/// Shapes this much longer or shorter in one dimension must be told apart at least.
+inline constexpr double kSimilarStretch = 0.1;
 
-/// The shapes near `placed` that promise most by its evidence, best first, at most kSimilarTried:
-/// the model stretched along an axis, or with one surface moved, by as much as some displaced piece
-/// of evidence asks for. `chance` is each view's map of all contours.
-std::vector<SimilarShape> similar_shapes(const std::vector<FieldView>& views,
-                                         const std::vector<SpreadMap>& chance,
-                                         const PlacedModel& placed, const ObjectEvidence& evidence);
+/// Shapes that contours beside the edges of `placed` speak for: the model stretched along an axis,
+/// or with one surface moved, by as much as some displaced piece of evidence asks for, at most
+/// kSimilarTried; and stretched by kSimilarStretch along each axis of its frame, whatever the
+/// pieces ask for. `chance` is each view's map of all contours.
+SimilarShapes similar_shapes(const std::vector<FieldView>& views,
+                             const std::vector<SpreadMap>& chance, const PlacedModel& placed,
+                             const ObjectEvidence& evidence);
 
 /// The model with its vertices moved: normals, offsets, centroids and lengths follow.
 Model reshaped(const Model& model, const std::vector<Eigen::Vector3d>& vertices);
