@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "recognition/index.hpp"
+#include "recognition/remaining_lines.hpp"
 #include "recognition/rigs.hpp"
 
 using namespace trihedron;
@@ -92,4 +93,29 @@ TEST_CASE("the index keeps one of the corners that a symmetry maps onto each oth
   CHECK(longest.end() - longest.begin() == 4);
   const auto none = index.by_length(61, 90);
   CHECK(none.begin() == none.end());
+}
+
+TEST_CASE("an edge of which one view hides the far end is whole where the other sees a corner") {
+  const Model model = rigs::block(60, 45, 35), screen = rigs::block(50, 6, 60);
+  const Transform pose = rigs::pose({0, 0, 0.45}, {5, -8, 17.5});
+  // Between the second camera and one end of the block, where the others look past it.
+  const Transform before = rigs::pose({0, 0, -0.55}, {-42, -75, 30});
+  const std::vector<Camera> cameras = oblique_views(true);
+  std::vector<ViewLines> views;
+  for (const Camera& c : cameras) {
+    const ViewLines all =
+        find_lines({c, rigs::features_of(c, {{&model, pose}, {&screen, before}})});
+    views.push_back(remaining_lines(all, c, {{&screen, before}}));
+  }
+  CrossingOptions corners;
+  corners.one_view_ends = true;
+  const auto both = cross_edges(views), one = cross_edges(views, corners);
+  int whole_by_both = 0, whole_by_one = 0;
+  for (const ModelEdge& e : model.edges) {
+    const Vector3d p = pose * model.mesh.vertices[static_cast<std::size_t>(e.v0)];
+    const Vector3d q = pose * model.mesh.vertices[static_cast<std::size_t>(e.v1)];
+    whole_by_both += found(both, p, q);
+    whole_by_one += found(one, p, q);
+  }
+  CHECK(whole_by_one > whole_by_both);
 }

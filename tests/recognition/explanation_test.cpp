@@ -173,3 +173,19 @@ TEST_CASE("solids overlap when they share space, not when they touch") {
   CHECK(overlap(a, inner, {&block, rigs::pose({0, 0, 0}, {30, 0, 0})}, inner));
   CHECK_FALSE(overlap(a, inner, {&block, rigs::pose({0, 0, 0}, {39, 0, 0})}, inner));
 }
+
+TEST_CASE("the runner-up is the best other answer for an object's place, and less good") {
+  const std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket()};
+  const auto views = rigs::views_of({{&library[1], kPose}});
+  // The block has the bracket's three dimensions: it fits but for the step.
+  const auto both = explain(views, library, {{0, nearby(kPose), 2}, {1, nearby(kPose), 1}});
+  REQUIRE(both.objects.size() == 1);
+  CHECK(both.objects[0].model_id == library[1].id);
+  CHECK(both.objects[0].runner_up_model_id == library[0].id);
+  CHECK(both.objects[0].runner_up_score > 0);
+  CHECK(both.objects[0].runner_up_score < both.objects[0].score);
+  const auto alone = explain(views, library, {{1, nearby(kPose), 1}});
+  REQUIRE(alone.objects.size() == 1);
+  CHECK(alone.objects[0].runner_up_model_id == -1);
+  CHECK(alone.objects[0].runner_up_score == 0);
+}

@@ -166,3 +166,26 @@ TEST_CASE("views in lanes see a model as each view does") {
     }
   }
 }
+
+TEST_CASE("points that a known object hides, or whose contour is its own, say nothing") {
+  const Model block = rigs::block(60, 50, 40), bracket = rigs::l_bracket();
+  const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
+  const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
+  const std::vector<View> scene = rigs::views_of({{&block, front}, {&bracket, behind}});
+  std::vector<ContourField> fields;
+  fields.reserve(scene.size());
+  std::vector<FieldView> views;
+  std::vector<SpreadMap> all;
+  for (const View& view : scene) {
+    fields.emplace_back(view.features);
+    views.push_back({&view.camera, &fields.back()});
+    all.push_back(spread_map(fields.back()));
+  }
+  const Remainder rest = remainder(views, {{&block, front}});
+  const auto hidden = glance_points(views, bracket, behind),
+             own = glance_points(views, block, front);
+  // The bracket loses no evidence by the block in front of it; the block's own is used up.
+  CHECK(GlanceScorer(all, rest).score(hidden) > GlanceScorer(rest.maps).score(hidden));
+  CHECK(GlanceScorer(all).score(own) > 0);
+  CHECK(GlanceScorer(all, rest).score(own) < 0.1 * GlanceScorer(all).score(own));
+}

@@ -10,6 +10,7 @@
 #include "io/library.hpp"
 #include "io/scene.hpp"
 #include "io/views.hpp"
+#include "recognition/remaining_lines.hpp"
 #include "recognition/view_check.hpp"
 
 using namespace trihedron;
@@ -62,6 +63,41 @@ TEST_CASE("every object of the bundled scenes has a good pose among the first 20
       CHECK(rank < 200);
     }
   }
+}
+
+TEST_CASE("what a known object leaves shows the other one, and no segment of its own") {
+  const std::vector<Model> library = read_library(kVectors + "/models10");
+  const LibraryIndex index(library);
+  int objects = 0;
+  for (const auto& folder : find_scenes(kVectors + "/scenes")) {
+    const Scene scene = read_scene(folder);
+    if (scene.truth->size() != 2) continue;
+    const std::vector<View> views = views_of(scene);
+    const PoseSearch search = search_poses(views, library, index);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const TrueObject &other = (*scene.truth)[1 - k], &wanted = (*scene.truth)[k];
+      const auto of_id = [&](int id) {
+        return &*std::find_if(library.begin(), library.end(),
+                              [&](const Model& m) { return m.id == id; });
+      };
+      const std::vector<PlacedModel> known = {{of_id(other.model_id), other.world_from_model}};
+      for (std::size_t v = 0; v < views.size(); ++v) {
+        const ViewLines rest = remaining_lines(search.lines[v], views[v].camera, known);
+        CHECK(rest.segments.size() < search.lines[v].segments.size());
+        CHECK(rest.stops.size() == rest.segments.size());
+        CHECK(remaining_lines(search.lines[v], views[v].camera, {}).segments.size() ==
+              search.lines[v].segments.size());
+      }
+      const auto poses = search_rest(views, search, known, library, index);
+      INFO("scene " << folder << " object " << wanted.model_id);
+      CHECK(std::any_of(poses.begin(), poses.end(), [&](const PoseHypothesis& h) {
+        const Model& m = library[static_cast<std::size_t>(h.model)];
+        return m.id == wanted.model_id && in_basin(m, h.world_from_model, wanted.world_from_model);
+      }));
+      ++objects;
+    }
+  }
+  CHECK(objects >= 4);
 }
 
 TEST_CASE("the search gives the same poses in the same order every time") {
