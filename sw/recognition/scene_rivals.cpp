@@ -163,8 +163,8 @@ int SceneSearch::best_rival(int winner) {
 std::string SceneSearch::doubt_about(int winner) {
   const int next = runner_up(winner);
   const double mine = candidates_[winner].verdict.log_against_chance;
-  if (next >= 0 && candidates_[next].verdict.log_against_chance * (1 - kAmbiguous) > mine) {
-    return "ambiguous: an answer that is refused explains more";
+  if (next >= 0 && candidates_[next].verdict.log_against_chance > mine * (1 - kAmbiguous)) {
+    return "ambiguous: an answer that is refused explains as much";
   }
   if (mirrored_as_good(winner)) return "similar shape: the model's mirror image explains as much";
   const std::string similar = similar_is_better(winner);

@@ -26,13 +26,13 @@ SceneSearch::SceneSearch(SceneInput& input, const SceneSearchOptions& options)
       tried_(input.hypotheses.size(), 0) {}
 
 void SceneSearch::run() {
-  search();
-  if (ask_for_more()) search();
+  search(options_.patience);
+  if (ask_for_more()) search(options_.patience_for_more);
   settle_rivals();
 }
 
-void SceneSearch::search() {
-  for (int idle = 0; idle < options_.patience;) {
+void SceneSearch::search(int patience) {
+  for (int idle = 0; idle < patience;) {
     const std::vector<int> before = active_;
     if (!try_batch()) break;
     idle = active_ == before ? idle + 1 : 0;

@@ -12,9 +12,11 @@
 namespace trihedron {
 
 struct SceneSearchOptions {
-  int ranked = 120;   ///< hypotheses kept in a ranking
-  int batch = 4;      ///< refined before the scene is looked at anew
-  int patience = 2;   ///< batches without a new object before the search ends
+  int ranked = 120;  ///< hypotheses kept in a ranking
+  int batch = 4;     ///< refined before the scene is looked at anew
+  int patience = 2;  ///< batches without a new object before the search ends
+  /// The same once more hypotheses have come: fewer, and ranked by what the objects leave.
+  int patience_for_more = 1;
   bool table = true;  ///< nothing lies below the world's z = 0
 };
 
@@ -44,7 +46,7 @@ class SceneSearch {
   bool below_table(const Candidate& candidate, std::string& reason) const;
 
   std::vector<RankedHypothesis> rank_rest();
-  void search();
+  void search(int patience);
   bool ask_for_more();
   bool try_batch();
   void add(int hypothesis);
