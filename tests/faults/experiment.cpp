@@ -22,6 +22,9 @@ constexpr int kFreshFrames = 4;  // sent after registers have been written again
 constexpr int kFlushTimeout = 64;
 // Longer than the flush timeout, a drain of nine rows and the longest stalls together.
 constexpr std::uint64_t kPatience = 1200;
+// Where the input stands still because the upset hit a width: a drain of eleven rows of the longest that
+// a column counter makes, 2048.
+constexpr std::uint64_t kWidestDrain = 12 * 2048;
 
 ViewOutput expected_output(const sim::GreyImage& image, int view) {
   const ViewFeatures golden =
@@ -209,6 +212,7 @@ Upset run_upset(const Scene& scene, std::uint64_t clock, std::size_t flip_flop) 
       current[static_cast<std::size_t>(view)] = bench.starts(view) - 1;
     }
   });
+  if (!bench.all_sent()) bench.run(kWidestDrain, nullptr);
   for (int view = 0; view < sim::kViews; ++view) {
     const auto v = static_cast<std::size_t>(view);
     const Matching matching = match_both(bench.output(view), scene.views[v].expected);

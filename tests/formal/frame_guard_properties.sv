@@ -245,6 +245,8 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.active_q ;
   (* hierconn *) wire \dut.begun_q ;
   (* hierconn *) wire \dut.width_wait_q ;
+  (* hierconn *) wire \dut.settings_wait_q ;
+  (* hierconn *) wire \dut.settings_loaded_q ;
   (* hierconn *) wire \dut.announce_q ;
   (* hierconn *) wire [20:0] \dut.idle_left_q ;
   (* hierconn *) wire \dut.i_checks.in_line_o ;
@@ -275,10 +277,17 @@ module frame_guard_properties #(
   always_ff @(posedge clk_i) begin
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
-      assert (\ring.read_q == read_q);
+      assert (\ring.read_q == read_q && \dut.i_checks.height_q == 12'(height_q));
+      assert (\ring.line_q == (announced && line_whole ? base_q : last_start_q));
+      if (announced && line_whole && watched_col < width_next) begin
+        assert (line_watched_q[6:0] == {watched_col == width_next - 3'd1, rows - 3'd1, watched_col});
+      end
       assert (\ring.commit_q == base_q + (announced && line_whole ? 6'(width_next) : 6'd0));
       assert (\ring.write_q - \ring.commit_q <= 6'd6);
-      assert (fill <= 6'd31 && waiting <= fill);
+      assert (fill <= 6'd25 && (!ring_ready || fill <= 6'd24) && waiting <= fill);
+      assert (waiting <= waiting_q + 6'd6 && waiting_q <= waiting + 6'd1);
+      assert (stall_q == '0 || (!waits && ring_ready));
+      assert (stall_q <= (\dut.settings_loaded_q ? 3'd3 : \dut.settings_wait_q ? 3'd2 : 3'd1));
       assert ((announced ? !line_last : open_q) == (active && begun));
       assert (!announced || (line_first == !open_q && (line_whole || (line_last && open_q)) &&
                              !(line_first && line_last)));
@@ -287,13 +296,12 @@ module frame_guard_properties #(
       if (active) begin
         assert (\ring.write_q - \ring.commit_q == 6'(guard_col) && guard_col <= 3'd5);
         assert (next_col_q == guard_col && next_row_q == (begun ? guard_line[2:0] - 3'd1 : 3'd0));
-        assert (begun || guard_line == 12'd1);
+        assert ((begun || guard_line == 12'd1) && in_line == (guard_col != '0));
         assert (\dut.i_checks.same_width_o == (guard_col > 3'd1 && guard_col == last_col));
         assert (\dut.i_checks.must_end_o == (begun ? guard_col > 3'd1 && guard_col == last_col
                                                    : guard_col == 3'd5));
         assert (\dut.i_checks.fits_o == (begun ? guard_col == last_col && !over_max && guard_col > 3'd1
                                                : guard_col > 3'd3));
-        assert (\dut.i_checks.height_q == 12'(height_q));
         assert (guard_col == '0 || start_pending_q || watched_col >= guard_col ||
                 watched_q == {parity_q, 1'b0, next_row_q, watched_col});
         if (begun || guard_col > 3'd1) assert (\dut.i_checks.height_known_o == (height_q != '0));
@@ -303,7 +311,8 @@ module frame_guard_properties #(
         assert (announced || frame_last_col_q == last_col);
         assert (waits || last_col == 3'd4 || last_col == 3'd5);
         assert (waits || guard_col <= last_col);
-        assert (waits || watched_col > last_col || line_watched_q[7] == parity_q);
+        assert (watched_col >= width_next || line_watched_q[7] == parity_q);
+        assert ((announced && line_first) || watched_col > last_col || frame_parity_q == parity_q);
         assert (guard_col == '0 || (over_max == (guard_line == 12'd7) &&
                 \dut.i_checks.last_row_o == (height_q != '0 && guard_line == 12'(height_q))));
         assert (height_q < 3'd2 || rows_next < height_q);
@@ -312,6 +321,8 @@ module frame_guard_properties #(
       if (Good) begin
         assert (\dut.idle_left_q == 21'd16 - 21'(pause_q));
         assert (!open_q || last_col == width - 3'd1);
+        assert (!active || !begun || (waits ? width_next == width : last_col == width - 3'd1));
+        assert (height_q == 3'd0 || height_q == 3'd5 || height_q == 3'd6);
         assert (active || next_col_q == '0);
         assert (active || start_pending_q || next_row_q == 3'd7 || (height_q != '0 &&
                                                  next_row_q == height_q));

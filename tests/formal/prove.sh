@@ -8,8 +8,8 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 status=0
-long="slot_tracker frame_guard frame_guard_good"
-all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots $long"
+long="slot_tracker"
+all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard frame_guard_good $long"
 quick=
 [ "${1:-}" = --quick ] && { quick=1; all=${all%"$long"}; shift; }
 
@@ -20,7 +20,7 @@ describe() {
   properties=$1
   case $1 in
     frame_guard*)
-      module=frame_guard properties=frame_guard
+      module=frame_guard properties=frame_guard engine=induction
       others="tests/formal/wire_skid_buffer.sv rtl/line_checks.sv rtl/pixel_ring.sv rtl/line_memory.sv"
       parameters="chparam -set Good 0 frame_guard_properties;"
       if [ "$1" != frame_guard ]; then parameters="chparam -set Good 1 frame_guard_properties;"; fi
