@@ -182,6 +182,7 @@ GreyImage make_image(Pattern pattern, int width, int height, Random& random,
                   pictures[static_cast<std::size_t>(
                       random.between(0, static_cast<int>(pictures.size()) - 1))]);
     case Pattern::kExtremes:
+      if (std::min(width, height) < kMinSizePx) break;
       return extremes(width, height, random);
     case Pattern::kPolygons:
       break;

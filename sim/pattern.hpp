@@ -23,7 +23,8 @@ enum class Pattern {
 inline constexpr int kPatterns = 11;
 
 /// A `width` x `height` px image of one kind. kPicture crops one of `pictures` (mirrored at its
-/// borders where it is too small) and is kPolygons when there are none.
+/// borders where it is too small) and is kPolygons when there are none, as kExtremes in an image
+/// without a whole window.
 GreyImage make_image(Pattern pattern, int width, int height, Random& random,
                      const std::vector<GreyImage>& pictures);
 

@@ -27,11 +27,11 @@ if [ -z "$short" ]; then
 fi
 export UBSAN_OPTIONS=print_stacktrace=1
 
-# Processor seconds of finished children.
-spent() {
+# cpu: processor seconds of the children that have ended. Not in a subshell, which has its own.
+count_cpu() {
   times >"$work/times"
-  awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); s += 60 * t[1] + t[2] } print int(s) }' \
-    "$work/times"
+  cpu=$(awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, t, /[ms]/); s += 60 * t[1] + t[2] } print int(s) }' \
+    "$work/times")
 }
 
 # run NAME OPTIONS...: the harness with its corpora.
@@ -50,18 +50,20 @@ for name in "${harnesses[@]}"; do
   mkdir -p "$work/corpus"
   : >"$work/log"
   found=
-  start=$(spent)
+  count_cpu
+  start=$cpu
   if [ -n "$short" ]; then
     run "$name" -runs="$([ "$name" = stream ] && echo 150 || echo 3000)" -seed=1 || found=yes
-  else
-    # In rounds: the limit of libFuzzer is the clock on the wall.
-    while [ -z "$found" ] && [ $(($(spent) - start)) -lt "$seconds" ]; do
-      run "$name" -max_total_time=$((seconds - $(spent) + start < 300 ? seconds - $(spent) + start : 300)) ||
-        found=yes
-    done
+    count_cpu
   fi
+  # In rounds, since libFuzzer's limit is the clock on the wall.
+  while [ -z "$short$found" ] && [ $((cpu - start)) -lt "$seconds" ]; do
+    left=$((seconds - cpu + start))
+    run "$name" -max_total_time=$((left < 300 ? left : 300)) || found=yes
+    count_cpu
+  done
   inputs=$(awk '/number_of_executed_units/ { n += $2 } END { print n + 0 }' "$work/log")
-  echo "$name: ${found:+FINDING, }$inputs inputs, $(($(spent) - start)) s of processor time," \
+  echo "$name: ${found:+FINDING, }$inputs inputs, $((cpu - start)) s of processor time," \
     "corpus $(find "$work/corpus" -type f | wc -l); log $work/log"
   if [ -n "$found" ]; then
     status=1
