@@ -12,6 +12,9 @@ namespace {
 constexpr double kTentativeShare = 0.35;
 /// Expected false alarms of a candidate that may be tried at all, as log10.
 constexpr double kTentativeLog10 = -3;
+/// Log odds of a candidate alone above which an object that hides it may be all that it lacks: one
+/// view that sees it nowhere costs as much.
+constexpr double kMayBeLogOdds = -4;
 /// Refined poses nearer than this are the same, mm.
 constexpr double kSamePoseMm = 1.0;
 
@@ -210,8 +213,18 @@ bool SceneSearch::remove_worst() {
   return true;
 }
 
+/// What failed may be asked again, unless it lies below the table.
+void SceneSearch::revive(int i) {
+  std::string reason;
+  if (dead_[i] && !below_table(candidates_[i], reason)) dead_[i] = 0;
+}
+
 void SceneSearch::settle() {
   const std::vector<int> before = active_;
+  // Two objects that hide each other fail alone: what is nearly good enough is asked again.
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (candidates_[i].alone.log_odds > kMayBeLogOdds) revive(static_cast<int>(i));
+  }
   fill();
   while (remove_worst()) fill();
   const bool grown = std::any_of(active_.begin(), active_.end(), [&](int i) {
@@ -219,10 +232,7 @@ void SceneSearch::settle() {
   });
   if (!grown) return;
   // What failed alone may be hidden by what is new.
-  std::string reason;
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    if (dead_[i] && !below_table(candidates_[i], reason)) dead_[i] = 0;
-  }
+  for (std::size_t i = 0; i < candidates_.size(); ++i) revive(static_cast<int>(i));
   fill();
   while (remove_worst()) fill();
 }

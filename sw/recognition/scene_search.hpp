@@ -54,6 +54,7 @@ class SceneSearch {
   void fill();
   void judge(int i);
   bool remove_worst();
+  void revive(int i);
   void settle();
   double at_a_glance(const Model& model, const Transform& pose) const;
   void find_rivals(int winner);
