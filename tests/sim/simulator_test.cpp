@@ -75,6 +75,28 @@ TEST_CASE("frames of one to four lines between good ones are too low, and only t
   CHECK(report.compared.frames == kViews * frames.size());
 }
 
+TEST_CASE(
+    "a frame of unknown height ends FLUSH_TIMEOUT clocks after its last pixel, to the clock") {
+  const auto clocks_until_out = [](int flush_timeout) {
+    RunOptions options = checked();
+    options.flush_timeout = flush_timeout;
+    std::uint64_t clocks = 0;
+    const Report report =
+        Simulator::instance().run(options, for_all_views({frame_of(polygons(16, 12, 5))}),
+                                  [&](FrameResult&& frame) { clocks = frame.clocks; });
+    REQUIRE(report.passed());
+    return clocks;
+  };
+  constexpr int kShortest = 32;
+  const std::uint64_t shortest = clocks_until_out(kShortest);
+  // Each bit of the counter alone once, up to what the testbench takes for a hang.
+  for (const int timeout : {33, 34, 36, 40, 48, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384,
+                            32768, 65536, 131072, 0x15555}) {
+    INFO("FLUSH_TIMEOUT " << timeout);
+    CHECK(clocks_until_out(timeout) - shortest == static_cast<std::uint64_t>(timeout - kShortest));
+  }
+}
+
 TEST_CASE("the frame tag wraps around after 256 frames, the counters do not") {
   const std::vector<SourceFrame> frames(260, frame_of(polygons(5, 5, 2)));
   const Report report = run_all(checked(), frames);
