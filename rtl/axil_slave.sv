@@ -65,8 +65,9 @@ module axil_slave #(
       else if (s_axil_bready_i) s_axil_bvalid_o <= 1'b0;
       read_address_valid_q <= s_axil_arvalid_i && s_axil_arready_o;
       read_data_valid_q    <= read_address_valid_q;
-      if (s_axil_arvalid_i && s_axil_arready_o) read_pending_q <= 1'b1;
-      else if (s_axil_rvalid_o && s_axil_rready_i) read_pending_q <= 1'b0;
+      // From the acceptance to the answer's, known from what is on its way: nothing else can block reads.
+      read_pending_q <= (s_axil_arvalid_i && s_axil_arready_o) || read_address_valid_q ||
+                        read_data_valid_q || (s_axil_rvalid_o && !s_axil_rready_i);
       if (read_data_valid_q) s_axil_rvalid_o <= 1'b1;
       else if (s_axil_rready_i) s_axil_rvalid_o <= 1'b0;
     end
