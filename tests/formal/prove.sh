@@ -8,14 +8,35 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 status=0
-long="slot_tracker"
-all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard frame_guard_good $long"
+stages="gradient first_contour ridge second_contour vertex_value"
+long="view contour_packer slot_tracker line_window line_window_side line_window_11"
+all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard \
+  frame_guard_good $stages $long"
 quick=
 [ "${1:-}" = --quick ] && { quick=1; all=${all%"$long"}; shift; }
 
-# Of each proof: the module it is about, what else it reads, its parameters, its engine.
+# The number of clocks behind $1 in the line on latency at the head of module $2.
+clocks() {
+  sed -nE "s#^// Latency 2 rows \\+ 2 .*$1([0-9]+).*#\1#p" "rtl/$2.sv"
+}
+
+# All RTL but module $1, the package first.
+all_but() {
+  echo "rtl/trihedron_registers.sv $(ls rtl/*.sv | grep -v -e trihedron_registers -e "/$1.sv" | tr '\n' ' ')"
+}
+
+# stage NAME NUMBER VOIDS: its clocks are those that its header states; arithmetic is cut out.
+stage() {
+  properties=stage others="tests/formal/slot_stream.sv $(all_but "$1")"
+  slot=$(clocks 'columns \+ ' "$1") data=$(clocks 'data_o ' "$1")
+  parameters="chparam -set Stage $2 -set Voids $3 -set Clocks $slot -set DataClocks ${data:-$slot} stage_properties;"
+  cut="cutpoint =*derivatives* =*scale5* =*neighbour_mean* =*vertex_ring* =*vertex_turn*;"
+}
+
+# Of each proof: the module it is about, what else it reads, its parameters, its engine, what is cut
+# out of the netlist.
 describe() {
-  module=$1 parameters= engine=pdr
+  module=$1 parameters= engine=pdr cut=
   others="tests/formal/queue_properties.sv rtl/line_memory.sv"
   properties=$1
   case $1 in
@@ -31,6 +52,25 @@ describe() {
       ;;
     credit) module=stream_fifo others=rtl/line_memory.sv ;;
     slot_tracker) others=tests/formal/slot_stream.sv ;;
+    line_window*)
+      module=line_window properties=line_window
+      others="rtl/line_memory.sv rtl/slot_tracker.sv tests/formal/slot_stream.sv"
+      case $1 in
+        *_side) parameters="chparam -set SideRows 0 line_window_properties;" ;;
+        *_11) parameters="chparam -set Rows 11 line_window_properties;" ;;
+      esac
+      ;;
+    gradient) stage "$1" 0 11 ;;
+    first_contour) stage "$1" 1 8 ;;
+    ridge) stage "$1" 2 6 ;;
+    second_contour) stage "$1" 3 4 ;;
+    vertex_value) stage "$1" 4 2 ;;
+    contour_packer) others="rtl/line_memory.sv rtl/stream_fifo.sv" ;;
+    view)
+      module=trihedron_top others=$(all_but trihedron_top)
+      cut="cutpoint =*contours* =*vertices* =*line_memory*; chformal -assert2assume =*stream_fifo*
+        chformal -assert -remove =*packer* =*guard* =*slots* =*merge* =*axil* =*bank* =*ring* =*skid* =*shift* =*checks*;"
+      ;;
   esac
   top=${properties}_properties
 }
@@ -38,7 +78,7 @@ describe() {
 # Asserts hold where they are written, not one clock later (chformal), so that they help each other.
 elaborate() {
   echo "read_verilog -formal -sv $others $1 tests/formal/$top.sv
-    $parameters hierarchy -check -top $top; proc; flatten; chformal -early
+    $parameters hierarchy -check -top $top; proc; $cut flatten; chformal -early
     memory -nomap; memory_map -formal; opt; async2sync"
 }
 
