@@ -68,15 +68,22 @@ int ContourField::bin_of(double gx, double gy) {
 
 void ContourField::build_bins(const ViewFeatures& features) {
   bins_.assign(features.contour.size(), 0);
-  std::size_t i = 0;
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x, ++i) {
-      const ContourBeat& beat = features.contour[i];
-      if (!beat.contour()) continue;
-      const int bin = bin_of(beat.gx, beat.gy);
-      bins_[i] = static_cast<std::uint8_t>(1U << bin);
-      pixels_.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
-                         static_cast<std::uint8_t>(bin)});
+  constexpr int kTogether = 8;  // most pixels are none: asked for in groups
+  const ContourBeat* row = features.contour.data();
+  for (int y = 0; y < height_; ++y, row += width_) {
+    for (int first = 0; first < width_; first += kTogether) {
+      const int end = std::min(first + kTogether, width_);
+      unsigned flags = 0;
+      for (int x = first; x < end; ++x) flags |= row[x].flags;
+      if ((flags & kContour) == 0) continue;
+      for (int x = first; x < end; ++x) {
+        if (!row[x].contour()) continue;
+        const int bin = bin_of(row[x].gx, row[x].gy);
+        bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+              static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(1U << bin);
+        pixels_.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
+                           static_cast<std::uint8_t>(bin)});
+      }
     }
   }
 }

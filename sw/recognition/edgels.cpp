@@ -16,9 +16,10 @@ float estimate_noise(const ViewFeatures& f, float floor) {
   constexpr int kRowStep = 8;
   constexpr std::size_t kColumnStep = 2;
   std::vector<float> sample;
+  RowSums sums;
   SmoothRow row;
   for (int y = kRowStep / 2; y < f.height; y += kRowStep) {
-    smooth_row(f, y, row);
+    smooth_row(f, y, sums, row);
     for (std::size_t x = 0; x < row.magnitude.size(); x += kColumnStep) {
       sample.push_back(row.magnitude[x]);
     }

@@ -29,7 +29,7 @@ struct HypothesisOptions {
 
 struct HypothesisStatistics {
   int offered = 0;   ///< poses from all sources
-  int scored = 0;    ///< of them not nearly equal to others
+  int scored = 0;    ///< of them not hopeless and not nearly equal to others
   int distinct = 0;  ///< after refinement and merging
 };
 

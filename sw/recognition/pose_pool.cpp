@@ -39,11 +39,12 @@ std::uint64_t PosePool::bin(int model, const Transform& pose) const {
 
 void PosePool::add(int model, const Transform& pose) {
   ++offered_;
+  // Nearly all poses are accidents, and to see that is cheaper than to look for equal ones.
+  const ModelSketch& sketch = index_.sketch(model);
+  if (evidence_.hopeless(sketch, pose)) return;
   constexpr int kPerBin = 2;
   if (++count_[bin(model, pose)] > kPerBin) return;
   ++scored_;
-  const ModelSketch& sketch = index_.sketch(model);
-  if (evidence_.hopeless(sketch, pose)) return;
   const PoseHypothesis h{model, pose, evidence_.score(sketch, pose, 2)};
   if (h.support > 0) fresh_.push_back(h);
 }

@@ -18,7 +18,7 @@ class PosePool {
            const HypothesisOptions& options)
       : evidence_(evidence), library_(library), index_(index), options_(options) {}
 
-  /// Scores the pose unless enough poses like it were scored before or it is hopeless.
+  /// Scores the pose unless it is hopeless or enough poses like it were scored before.
   void add(int model, const Transform& world_from_model);
 
   /// Refines the best poses added since the last call on the segments and merges equal ones (up

@@ -10,21 +10,7 @@
 namespace trihedron {
 namespace {
 
-/// gx and gy of the pixels of a row in turn, 16 bits each: sums of whole rows take eight of them
-/// at a time.
-using Slopes = std::vector<std::int16_t>;
 static_assert(golden::kSlopeBits + 4 <= 16, "sums of sixteen slopes fit 16 bits");
-
-void read_row(const ViewFeatures& f, int y, Slopes& out) {
-  const auto width = static_cast<std::size_t>(f.width);
-  out.resize(2 * width);
-  const ContourBeat* beats = &f.at(0, y);
-  std::int16_t* to = out.data();  // as a plain pointer, or the loop does not vectorise
-  for (std::size_t x = 0; x < width; ++x) {
-    to[2 * x] = beats[x].gx;
-    to[2 * x + 1] = beats[x].gy;
-  }
-}
 
 /// out = a + 2 b + c; `out` is none of them.
 void binomial(const std::int16_t* a, const std::int16_t* b, const std::int16_t* c, std::size_t n,
@@ -32,9 +18,31 @@ void binomial(const std::int16_t* a, const std::int16_t* b, const std::int16_t* 
   for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<std::int16_t>(a[i] + 2 * b[i] + c[i]);
 }
 
+/// The slopes of row y, smoothed along it: sums for the pixels 1 to width - 2 in turn.
+void sum_along(const ViewFeatures& f, int y, std::vector<std::int16_t>& out) {
+  const auto width = static_cast<std::size_t>(f.width);
+  thread_local std::vector<std::int16_t> slopes;
+  slopes.resize(2 * width);
+  out.resize(2 * width - 4);
+  const ContourBeat* beats = &f.at(0, y);
+  std::int16_t* to = slopes.data();  // as a plain pointer, or the loop does not vectorise
+  for (std::size_t x = 0; x < width; ++x) {
+    to[2 * x] = beats[x].gx;
+    to[2 * x + 1] = beats[x].gy;
+  }
+  binomial(to, to + 2, to + 4, out.size(), out.data());
+}
+
 }  // namespace
 
-void smooth_row(const ViewFeatures& f, int y, SmoothRow& row) {
+const RowSums::Slopes& RowSums::of(const ViewFeatures& features, int y) {
+  const std::size_t place = static_cast<std::size_t>(y) % sums_.size();
+  if (row_[place] != y) sum_along(features, y, sums_[place]);
+  row_[place] = y;
+  return sums_[place];
+}
+
+void smooth_row(const ViewFeatures& f, int y, RowSums& sums, SmoothRow& row) {
   const auto width = static_cast<std::size_t>(f.width);
   for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->resize(width);
   if (y < 1 || y + 1 >= f.height || width < 3) {
@@ -42,15 +50,12 @@ void smooth_row(const ViewFeatures& f, int y, SmoothRow& row) {
     return;
   }
   for (auto* plane : {&row.gx, &row.gy, &row.magnitude}) plane->front() = plane->back() = 0;
-  thread_local Slopes up, mid, down, sums;
-  read_row(f, y - 1, up);
-  read_row(f, y, mid);
-  read_row(f, y + 1, down);
-  sums.resize(mid.size());
-  binomial(up.data(), mid.data(), down.data(), mid.size(), sums.data());
-  binomial(sums.data(), sums.data() + 2, sums.data() + 4, sums.size() - 4, mid.data());
+  thread_local std::vector<std::int16_t> smoothed;
+  smoothed.resize(2 * width - 4);
+  binomial(sums.of(f, y - 1).data(), sums.of(f, y).data(), sums.of(f, y + 1).data(),
+           smoothed.size(), smoothed.data());
   constexpr float kWeight = 1.0F / 16;
-  const std::int16_t* smooth = mid.data();
+  const std::int16_t* smooth = smoothed.data();
   float* gx = row.gx.data() + 1;
   float* gy = row.gy.data() + 1;
   float* magnitude = row.magnitude.data() + 1;
@@ -66,7 +71,7 @@ void smooth_row(const ViewFeatures& f, int y, SmoothRow& row) {
 void SmoothRows::move_to(int y) {
   const int last = std::min(y + kReach, features_.height - 1);
   for (; next_ <= last; ++next_) {
-    smooth_row(features_, next_, rows_[static_cast<std::size_t>(next_) % rows_.size()]);
+    smooth_row(features_, next_, sums_, rows_[static_cast<std::size_t>(next_) % rows_.size()]);
   }
 }
 

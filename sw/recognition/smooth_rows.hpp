@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "golden/features.hpp"
@@ -15,9 +16,24 @@ struct SmoothRow {
   std::vector<float> gx, gy, magnitude;
 };
 
-/// Computes row y of `features`; the image's outermost pixels are 0 (border rule). The row's
-/// memory is reused.
-void smooth_row(const ViewFeatures& features, int y, SmoothRow& row);
+/// Rows of one view smoothed along themselves, the last three that were asked for: rows that follow
+/// each other share two of them.
+class RowSums {
+ public:
+  using Slopes =
+      std::vector<std::int16_t>;  ///< gx and gy in turn, so that sums take both at a time
+
+  /// Of the pixels 1 to width - 2 of row y, times 4; the row is at least 3 pixels wide.
+  const Slopes& of(const ViewFeatures& features, int y);
+
+ private:
+  std::array<Slopes, 3> sums_;
+  std::array<int, 3> row_{-1, -1, -1};
+};
+
+/// Computes row y of `features`; the image's outermost pixels are 0 (border rule). `sums` belongs
+/// to the view; the row's memory is reused.
+void smooth_row(const ViewFeatures& features, int y, RowSums& sums, SmoothRow& row);
 
 /// The smoothed rows around a middle one that moves down the image: seven rows stay in the
 /// processor's cache, an image's worth would be written to memory and read back.
@@ -36,6 +52,7 @@ class SmoothRows {
 
  private:
   const ViewFeatures& features_;
+  RowSums sums_;
   std::array<SmoothRow, 2 * kReach + 1> rows_;
   int next_ = 0;  // first row not computed yet
 };

@@ -32,10 +32,19 @@ double distance_to_surface(const Model& model, const Eigen::Vector3d& x) {
   return nearest;
 }
 
+Eigen::AlignedBox3d box_of(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& x : points) box.extend(x);
+  return box;
+}
+
 bool shares_points(const PlacedModel& a, const InnerPoints& inner_a, const PlacedModel& b) {
   const Transform b_from_a = b.world_from_model.inverse() * a.world_from_model;
-  return std::any_of(inner_a.points.begin(), inner_a.points.end(),
-                     [&](const Eigen::Vector3d& x) { return inside(*b.model, b_from_a * x); });
+  const Eigen::AlignedBox3d box = box_of(b.model->mesh.vertices);  // outside: not inside
+  return std::any_of(inner_a.points.begin(), inner_a.points.end(), [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d x = b_from_a * p;
+    return box.contains(x) && inside(*b.model, x);
+  });
 }
 
 }  // namespace

@@ -28,17 +28,24 @@ Eigen::Vector2d ideal_of_pixel(const Camera& camera, const Eigen::Vector2d& pixe
           (pixel.y() - camera.K(1, 2)) / camera.px_per_mm};
 }
 
-/// Calls visit(row, first column, last column) for the cells inside the loops.
+/// A rectangle of cells of the image.
+struct Window {
+  int column, row, columns, rows;
+};
+
+/// Calls visit(row, first column, last column) for the window's cells inside the loops.
 template <typename Visit>
-void scan(const std::vector<std::vector<Eigen::Vector2d>>& loops, int columns, int rows,
+void scan(const std::vector<std::vector<Eigen::Vector2d>>& loops, const Window& window,
           std::vector<double>& cuts, Visit visit) {
+  const double left = window.column, right = left + window.columns - 1;
   double low = 1e300, high = -1e300;
   for (const Eigen::Vector2d& x : loops.front()) {
     low = std::min(low, x.y());
     high = std::max(high, x.y());
   }
-  const int first = std::max(0, static_cast<int>(std::ceil(std::max(low, -1.0))));
-  const int last = std::min(rows - 1, static_cast<int>(std::floor(std::min(high, 1e6))));
+  const int first = std::max(window.row, static_cast<int>(std::ceil(std::max(low, -1.0))));
+  const int last =
+      std::min(window.row + window.rows - 1, static_cast<int>(std::floor(std::min(high, 1e6))));
   for (int row = first; row <= last; ++row) {
     cuts.clear();
     for (const auto& loop : loops) {
@@ -52,35 +59,61 @@ void scan(const std::vector<std::vector<Eigen::Vector2d>>& loops, int columns, i
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 0; i + 1 < cuts.size(); i += 2) {
-      const int from = static_cast<int>(std::ceil(std::max(cuts[i], 0.0)));
-      const int to = static_cast<int>(std::floor(std::min(cuts[i + 1], columns - 1.0)));
+      const int from = static_cast<int>(std::ceil(std::max(cuts[i], left)));
+      const int to = static_cast<int>(std::floor(std::min(cuts[i + 1], right)));
       if (from <= to) visit(row, from, to);
     }
   }
 }
 
-template <typename Visit>
-void draw(const Camera& camera, const PlacedModel& placed, int columns, int rows, Visit visit) {
-  const ProjectedModel projected = project_model(camera, placed);
-  std::vector<Eigen::Vector2d> pixels;
-  for (const Eigen::Vector3d& x : projected.x_in_camera) {
-    pixels.push_back(camera.project_camera(x) / SurfaceMap::kCellPx);
+/// A placed model in the image, in cells.
+struct Drawing {
+  Drawing(const Camera& camera, const PlacedModel& placed)
+      : projected(project_model(camera, placed)) {
+    for (const Eigen::Vector3d& x : projected.x_in_camera) {
+      cells.push_back(camera.project_camera(x) / SurfaceMap::kCellPx);
+    }
   }
+
+  /// The part of `image` that the model covers.
+  Window window(const Window& image) const {
+    const auto& front = projected.front;
+    if (std::none_of(front.begin(), front.end(), [](char f) { return f; })) return {0, 0, 0, 0};
+    const Eigen::Array2d end(image.columns, image.rows);
+    Eigen::Array2d low = end, high = Eigen::Array2d::Zero();
+    for (const Eigen::Vector2d& x : cells) {
+      low = low.min(x.array().floor());
+      high = high.max(x.array().ceil() + 1);
+    }
+    const Eigen::Array2i from = low.max(0).cast<int>();
+    const Eigen::Array2i count = (high.min(end).cast<int>() - from).max(0);
+    return {from.x(), from.y(), count.x(), count.y()};
+  }
+
+  ProjectedModel projected;
+  std::vector<Eigen::Vector2d> cells;  // vertices
+};
+
+/// Calls visit(surface, index of the cell in the window, depth).
+template <typename Visit>
+void draw(const Camera& camera, const Drawing& drawing, const Window& window, Visit visit) {
+  const ProjectedModel& projected = drawing.projected;
   std::vector<std::vector<Eigen::Vector2d>> loops;
   std::vector<double> cuts;
   for (int s = 0; s < static_cast<int>(projected.front.size()); ++s) {
     if (!projected.front[s]) continue;
     loops.clear();
-    for (const std::vector<int>& loop : placed.model->surfaces[s].loops) {
+    for (const std::vector<int>& loop : projected.model->surfaces[s].loops) {
       loops.emplace_back();
-      for (int v : loop) loops.back().push_back(pixels[v]);
+      for (int v : loop) loops.back().push_back(drawing.cells[v]);
     }
-    scan(loops, columns, rows, cuts, [&](int row, int from, int to) {
+    scan(loops, window, cuts, [&](int row, int from, int to) {
+      const int start = (row - window.row) * window.columns - window.column;
       for (int column = from; column <= to; ++column) {
         // Lens distortion moves a depth by far less than objects are apart.
         const Eigen::Vector2d ideal = ideal_of_pixel(
             camera, Eigen::Vector2d(column, row) * static_cast<double>(SurfaceMap::kCellPx));
-        visit(s, row * columns + column,
+        visit(s, start + column,
               static_cast<float>(
                   plane_depth(camera, projected.normals[s], projected.offsets[s], ideal)));
       }
@@ -89,6 +122,30 @@ void draw(const Camera& camera, const PlacedModel& placed, int columns, int rows
 }
 
 int cells(int px) { return (px + SurfaceMap::kCellPx - 1) / SurfaceMap::kCellPx; }
+
+Window image_of(const Camera& camera) {
+  return {0, 0, cells(camera.width_px), cells(camera.height_px)};
+}
+
+/// The cells of a window; positions in the map count from its corner.
+SurfaceMap surface_map(const Camera& camera, const std::vector<PlacedModel>& objects,
+                       const Window& window) {
+  SurfaceMap map;
+  map.columns = window.columns;
+  map.rows = window.rows;
+  const auto count = static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
+  map.ids.assign(count, SurfaceMap::kNothing);
+  map.depths.assign(count, 1e30F);
+  for (int object = 0; object < static_cast<int>(objects.size()); ++object) {
+    const Drawing drawing(camera, objects[object]);
+    draw(camera, drawing, window, [&](int surface, int cell, float depth) {
+      if (depth >= map.depths[cell]) return;
+      map.depths[cell] = depth;
+      map.ids[cell] = object * 1024 + surface;
+    });
+  }
+  return map;
+}
 
 }  // namespace
 
@@ -101,28 +158,16 @@ std::int32_t SurfaceMap::at(double x_px, double y_px) const {
 }
 
 SurfaceMap surface_map(const Camera& camera, const std::vector<PlacedModel>& objects) {
-  SurfaceMap map;
-  map.columns = cells(camera.width_px);
-  map.rows = cells(camera.height_px);
-  const auto count = static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
-  map.ids.assign(count, SurfaceMap::kNothing);
-  map.depths.assign(count, 1e30F);
-  for (int object = 0; object < static_cast<int>(objects.size()); ++object) {
-    draw(camera, objects[object], map.columns, map.rows, [&](int surface, int cell, float depth) {
-      if (depth >= map.depths[cell]) return;
-      map.depths[cell] = depth;
-      map.ids[cell] = object * 1024 + surface;
-    });
-  }
-  return map;
+  return surface_map(camera, objects, image_of(camera));
 }
 
 std::vector<SurfaceVisibility> surface_visibility(const Camera& camera,
                                                   const std::vector<PlacedModel>& objects,
                                                   int index) {
   std::vector<SurfaceVisibility> out(objects[index].model->surfaces.size());
-  const SurfaceMap alone = surface_map(camera, {objects[index]});
-  const SurfaceMap together = surface_map(camera, objects);
+  const Window window = Drawing(camera, objects[index]).window(image_of(camera));
+  const SurfaceMap alone = surface_map(camera, {objects[index]}, window);
+  const SurfaceMap together = surface_map(camera, objects, window);
   for (std::size_t i = 0; i < alone.ids.size(); ++i) {
     if (alone.ids[i] == SurfaceMap::kNothing) continue;
     SurfaceVisibility& surface = out[SurfaceMap::surface_of(alone.ids[i])];
