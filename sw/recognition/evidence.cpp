@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recognition/view_lanes.hpp"
-
 namespace trihedron {
 namespace {
 
@@ -19,7 +17,7 @@ constexpr float kMinLengthPx = 5;
 constexpr float kNearestMm = 1e-3F;
 /// The evidence falls as low as -x for a pose that is right with a probability of exp(-x), were
 /// all samples independent; samples of an object that others hide are not.
-constexpr double kHopeless = 8;
+constexpr float kHopeless = 8;
 
 }  // namespace
 
@@ -33,8 +31,12 @@ bool all_claimed(const SpaceEdge& e, const Claims& claimed) {
 Evidence::Evidence(const std::vector<ViewLines>& views, const EvidenceOptions& options)
     : views_(views), options_(options) {
   constexpr double kPi = 3.14159265358979323846;
+  for (std::size_t first = 0; first < views.size(); first += LaneRig::kLanes) {
+    rigs_.emplace_back(views, first);
+  }
   for (const ViewLines& v : views) {
     grids_.emplace_back(v.segments, v.width, v.height, options.tolerance_px, options.tolerance_rad);
+    maps_.emplace_back(v.segments, v.width, v.height, options.tolerance_px, options.tolerance_rad);
     double covered = 0;
     for (const Segment& s : v.segments) covered += s.length * 2 * options.tolerance_px;
     // Chance of a sample of any direction to hit some segment, were they spread over the image.
@@ -42,6 +44,7 @@ Evidence::Evidence(const std::vector<ViewLines>& views, const EvidenceOptions& o
     const double chance = std::clamp(share * 2 * options.tolerance_rad / kPi, 0.01, 0.3);
     log_hit_.push_back(std::log(options.hit_probability / chance));
     log_miss_.push_back(std::log((1 - options.hit_probability) / (1 - chance)));
+    odds_.push_back({static_cast<float>(log_miss_.back()), static_cast<float>(log_hit_.back())});
   }
 }
 
@@ -51,28 +54,31 @@ template <typename Visitor>
 void Evidence::visit(const ModelSketch& model, const Transform& pose, int max_samples,
                      Visitor&& visitor) const {
   const auto spacing = static_cast<float>(options_.sample_px);
-  for (std::size_t first = 0; first < views_.size(); first += ViewLanes::kLanes) {
-    const ViewLanes lanes(views_, first, pose);
+  std::size_t first = 0;
+  for (const LaneRig& rig : rigs_) {
+    const ViewLanes lanes(rig, pose);
     for (const EdgeSketch& e : model.edges) {
-      const ViewLanes::Lanes facing =
-          lanes.facing(e.left, e.left_offset).max(lanes.facing(e.right, e.right_offset));
-      if (!(facing > 0).any()) continue;
+      const ViewLanes::Lanes left = lanes.facing(e.left, e.left_offset);
+      const ViewLanes::Lanes right = lanes.facing(e.right, e.right_offset);
+      const ViewLanes::Lanes facing = left > right ? left : right;
       const ViewLanes::Images p = lanes.project(e.x0), q = lanes.project(e.x1);
-      const ViewLanes::Lanes dx = q.x - p.x, dy = q.y - p.y, length = (dx * dx + dy * dy).sqrt();
-      const ViewLanes::Lanes depth = p.depth.min(q.depth);
+      const ViewLanes::Lanes dx = q.x - p.x, dy = q.y - p.y;
       for (std::size_t lane = 0; lane < lanes.count(); ++lane) {
-        const auto i = static_cast<Eigen::Index>(lane);
-        if (!(facing[i] > 0 && depth[i] > kNearestMm && length[i] >= kMinLengthPx)) continue;
-        const int n = std::clamp(static_cast<int>(length[i] / spacing), 1, max_samples);
+        const std::size_t i = lane;
+        if (!(facing[i] > 0 && p.depth[i] > kNearestMm && q.depth[i] > kNearestMm)) continue;
+        const float length = std::sqrt(dx[i] * dx[i] + dy[i] * dy[i]);
+        if (!(length >= kMinLengthPx)) continue;
+        const int n = std::clamp(static_cast<int>(length / spacing), 1, max_samples);
         for (int k = 0; k < n; ++k) {
           const float f = (static_cast<float>(k) + 0.5F) / static_cast<float>(n);
           const int hit = grids_[first + lane].find(p.x[i] + f * dx[i], p.y[i] + f * dy[i],
-                                                    dx[i] / length[i], dy[i] / length[i]);
+                                                    dx[i] / length, dy[i] / length);
           if (hit == SegmentGrid::kOutside) continue;
           if (!visitor(Sample{first + lane, &e, f, hit})) return;
         }
       }
     }
+    first += rig.count;
   }
 }
 
@@ -85,13 +91,105 @@ double Evidence::score(const ModelSketch& model, const Transform& pose, int max_
   return sum;
 }
 
+namespace {
+
+using Lanes = LaneRig::Lanes;
+using LaneInts __attribute__((vector_size(sizeof(Lanes)))) = std::int32_t;
+
+/// px to the cells of a map; what lies left of the image, or nowhere, to -1.
+LaneInts cells(const Lanes& px) {
+  constexpr float kPerCell = 1.0F / DirectionMap::kCellPx;
+  constexpr float kFar = 1e6F;  // no conversion may leave the range of integers
+  const Lanes inside = px >= 0 ? px * kPerCell : Lanes{} - 1;
+  return __builtin_convertvector(inside < kFar ? inside : Lanes{} + kFar, LaneInts);
+}
+
+bool any(const LaneInts& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+}  // namespace
+
+/// The sum over samples, where any segment of about a sample's direction and place is a hit.
+float Evidence::score_at_most(const ModelSketch& model, const Transform& pose,
+                              bool two_samples) const {
+  const float two_px = two_samples ? 2 * static_cast<float>(options_.sample_px) : 1e9F;
+  // The two samples of an edge are nearly one.
+  const float hopeless = two_samples ? 2 * kHopeless : kHopeless;
+  float sum = 0;
+  std::size_t first = 0;
+  for (const LaneRig& rig : rigs_) {
+    const ViewLanes lanes(rig, pose);
+    for (const EdgeSketch& e : model.edges) {
+      const Lanes left = lanes.facing(e.left, e.left_offset);
+      const Lanes right = lanes.facing(e.right, e.right_offset);
+      const ViewLanes::Images p = lanes.project(e.x0), q = lanes.project(e.x1);
+      const Lanes dx = q.x - p.x, dy = q.y - p.y, squared = dx * dx + dy * dy;
+      const LaneInts asked = ((left > 0) | (right > 0)) & (p.depth > kNearestMm) &
+                             (q.depth > kNearestMm) & (squared >= kMinLengthPx * kMinLengthPx);
+      if (!any(asked)) continue;
+      const LaneInts two = asked & (squared >= two_px * two_px);
+      const Lanes turn = asked ? DirectionBins::places(dx, dy) : Lanes{};
+      const LaneInts bins = __builtin_convertvector(turn, LaneInts) % DirectionBins::kCount;
+      const auto look = [&](const Lanes& x, const Lanes& y, const LaneInts& mask) {
+        const LaneInts columns = cells(x), rows = cells(y);
+        for (std::size_t lane = 0; lane < rig.count; ++lane) {
+          const DirectionMap& map = maps_[first + lane];
+          const auto column = static_cast<unsigned>(columns[lane]);
+          const auto row = static_cast<unsigned>(rows[lane]);
+          if (!mask[lane] || column >= map.columns() || row >= map.rows()) continue;
+          sum += odds_[first + lane][map.cell(column, row) >> bins[lane] & 1];
+        }
+      };
+      const Lanes at = two ? Lanes{} + 0.25F : Lanes{} + 0.5F;
+      look(p.x + at * dx, p.y + at * dy, asked);
+      if (two_samples) look(q.x - at * dx, q.y - at * dy, two);
+      if (sum < -hopeless) return sum;
+    }
+    first += rig.count;
+  }
+  return sum;
+}
+
 bool Evidence::hopeless(const ModelSketch& model, const Transform& pose) const {
+  // What fails when it is judged kindly fails.
+  if (score_at_most(model, pose, false) <= 0) return true;
   double sum = 0;
   visit(model, pose, 1, [&](const Sample& s) {
     sum += s.segment >= 0 ? log_hit_[s.view] : log_miss_[s.view];
     return sum >= -kHopeless;
   });
   return sum <= 0;
+}
+
+void Evidence::ask_along(const Vector3d& x, const Vector3d& d, const std::vector<double>& from_mm,
+                         double length_mm, Spoke& out) const {
+  out.sums_.clear();
+  for (std::size_t v = 0; v < views_.size(); ++v) {
+    if (from_mm[v] >= length_mm) continue;
+    const auto& P = views_[v].ideal.matrix();
+    const Vector3d at = P.leftCols<3>() * x + P.col(3), along = P.leftCols<3>() * d;
+    const double u = at.x() / at.z(), w = at.y() / at.z();
+    // px per mm at x; the image of a line keeps its direction.
+    const double du = (along.x() - u * along.z()) / at.z();
+    const double dw = (along.y() - w * along.z()) / at.z();
+    const double px_per_mm = std::sqrt(du * du + dw * dw);
+    if (!(at.z() > kNearestMm) || px_per_mm * length_mm < kMinLengthPx) continue;
+    const double step_mm = options_.sample_px / px_per_mm;
+    if (out.sums_.empty()) {
+      out.steps_per_mm_ = static_cast<float>(2 / step_mm);
+      out.sums_.assign(static_cast<std::size_t>(2 * length_mm / step_mm) + 2, 0.0F);
+    }
+    const unsigned bin = DirectionBins::bin(static_cast<float>(du), static_cast<float>(dw));
+    for (double s = 0.5 * step_mm; s < length_mm; s += step_mm) {
+      if (s < from_mm[v]) continue;
+      const double depth = at.z() + s * along.z();
+      if (!(depth > kNearestMm)) break;
+      const double px = (at.x() + s * along.x()) / depth, py = (at.y() + s * along.y()) / depth;
+      if (!maps_[v].covers(px, py)) break;
+      const auto place = static_cast<std::size_t>(s * out.steps_per_mm_) + 1;
+      out.sums_[std::min(place, out.sums_.size() - 1)] += odds_[v][maps_[v].at(px, py) >> bin & 1];
+    }
+  }
+  for (std::size_t i = 1; i < out.sums_.size(); ++i) out.sums_[i] += out.sums_[i - 1];
 }
 
 void Evidence::refine(const ModelSketch& model, Transform& pose, int max_samples) const {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "recognition/crossing.hpp"
+#include "recognition/direction_map.hpp"
 #include "recognition/index.hpp"
 #include "recognition/segment_grid.hpp"
+#include "recognition/spoke.hpp"
 #include "recognition/transform.hpp"
+#include "recognition/view_lanes.hpp"
 
 namespace trihedron {
 
@@ -35,10 +39,21 @@ class Evidence {
   /// over samples along all edges that turn a surface to a camera. At most `max_samples` per edge.
   double score(const ModelSketch& model, const Transform& world_from_model, int max_samples) const;
 
+  /// No less than score() of one or two samples per edge, in a fraction of its time; or far below
+  /// 0 as soon as hopeless() would be certain.
+  float score_at_most(const ModelSketch& model, const Transform& world_from_model,
+                      bool two_samples) const;
+
   /// Whether the pose is so unlikely that score() need not be asked: Wald's sequential test on one
   /// sample per edge and view, stopped once the evidence against the pose is overwhelming; or all
   /// of them together speak against it. Most accidental poses end after a dozen samples.
   bool hopeless(const ModelSketch& model, const Transform& world_from_model) const;
+
+  /// The evidence, as of score_at_most, along an edge that leaves `x` in the unit direction `d`, up
+  /// to `length_mm`. Per view: it counts from `from_mm` on; beyond any length where it cannot be
+  /// seen or is known.
+  void ask_along(const Eigen::Vector3d& x, const Eigen::Vector3d& d,
+                 const std::vector<double>& from_mm, double length_mm, Spoke& out) const;
 
   /// Moves the pose to reduce the distances of hit samples: one Gauss-Newton step.
   void refine(const ModelSketch& model, Transform& world_from_model, int max_samples) const;
@@ -63,8 +78,11 @@ class Evidence {
 
   const std::vector<ViewLines>& views_;
   EvidenceOptions options_;
-  std::vector<SegmentGrid> grids_;
-  std::vector<double> log_hit_, log_miss_;
+  std::vector<LaneRig> rigs_;
+  std::vector<SegmentGrid> grids_;          ///< per view
+  std::vector<DirectionMap> maps_;          ///< per view
+  std::vector<double> log_hit_, log_miss_;  ///< per view
+  std::vector<std::array<float, 2>> odds_;  ///< per view: of a miss and of a hit, the same
 };
 
 }  // namespace trihedron

@@ -23,7 +23,12 @@ struct HypothesisOptions {
   /// Poses from whole edges whose samples hit segments this often keep their segments from being
   /// searched for corners: a wrong pose shares some edges with the truth, rarely most.
   double claim_share = 0.7;
-  int max_coarse = 1000;  ///< poses that are refined and scored finely
+  /// Model corners that are tried on an observed one, those first for whose three edges most
+  /// speaks. Of ten models no more pass; with 1000 of ten kinds, all alike, the true one is among
+  /// them at 8 to 9 of 10 corners with a whole edge (an object shows dozens), at 2 to 6 of 10
+  /// others.
+  int best_corners = 200;
+  int max_coarse = 400;  ///< poses that are refined and scored finely
   int max_hypotheses = 400;
 };
 

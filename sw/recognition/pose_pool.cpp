@@ -42,11 +42,17 @@ void PosePool::add(int model, const Transform& pose) {
   // Nearly all poses are accidents, and to see that is cheaper than to look for equal ones.
   const ModelSketch& sketch = index_.sketch(model);
   if (evidence_.hopeless(sketch, pose)) return;
+  if (floor_ > 0 && evidence_.score_at_most(sketch, pose, true) <= floor_) return;
   constexpr int kPerBin = 2;
   if (++count_[bin(model, pose)] > kPerBin) return;
   ++scored_;
   const PoseHypothesis h{model, pose, evidence_.score(sketch, pose, 2)};
-  if (h.support > 0) fresh_.push_back(h);
+  if (h.support <= floor_) return;
+  fresh_.push_back(h);
+  // What is not among the best now will not be later.
+  if (fresh_.size() < 2 * static_cast<std::size_t>(options_.max_coarse)) return;
+  sort_best(fresh_, options_.max_coarse);
+  floor_ = fresh_.back().support;
 }
 
 Vector3d PosePool::vertex_mean(const PoseHypothesis& h) const {
@@ -101,6 +107,7 @@ const std::vector<PoseHypothesis>& PosePool::settle() {
   }
   settled_.insert(settled_.end(), fresh_.begin(), fresh_.end());
   fresh_.clear();
+  floor_ = 0;
   sort_best(settled_, options_.max_coarse);
   merge(settled_, kSameAfter);
   sort_best(settled_, options_.max_hypotheses);

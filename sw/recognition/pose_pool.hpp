@@ -39,6 +39,7 @@ class PosePool {
   const LibraryIndex& index_;
   const HypothesisOptions& options_;
   std::vector<PoseHypothesis> fresh_, settled_;
+  double floor_ = 0;                              ///< fresh poses must have more support
   std::unordered_map<std::uint64_t, int> count_;  ///< poses scored per bin
   int offered_ = 0, scored_ = 0;
 };

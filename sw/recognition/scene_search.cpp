@@ -99,9 +99,9 @@ std::vector<RankedHypothesis> SceneSearch::rank_rest() {
 }
 
 bool SceneSearch::try_batch() {
-  int added = 0;
+  int added = 0, batch = options_.batch;
   for (const RankedHypothesis& ranked : rank_rest()) {
-    if (added >= options_.batch) break;
+    if (added >= batch) break;
     if (tried_[ranked.hypothesis]) continue;
     const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
     const PlacedModel place{&input_.library[h.model], h.world_from_model};
@@ -109,11 +109,30 @@ bool SceneSearch::try_batch() {
       return overlap(place, inner(h.model), placed(i), inner(candidates_[i].model));
     });
     if (taken) continue;
+    const std::size_t before = candidates_.size();
     add(ranked.hypothesis);
     ++added;
+    const bool accepted =
+        candidates_.size() > before && !dead_.back() && candidates_.back().alone.accepted;
+    if (!active_.empty() || !accepted || !explains_all(static_cast<int>(before))) continue;
+    batch = std::min(batch, added + 1);  // the next best is its runner-up
   }
   if (added) settle();
   return added > 0;
+}
+
+/// Whether nothing beside a candidate is likelier than chance, once the contours that it explains
+/// are left out. Other answers in its place are its rivals, which are looked for later.
+bool SceneSearch::explains_all(int candidate) {
+  active_.push_back(candidate);
+  const std::vector<RankedHypothesis> rest = rank_rest();
+  active_.pop_back();
+  return std::all_of(rest.begin(), rest.end(), [&](const RankedHypothesis& ranked) {
+    const PoseHypothesis& h = input_.hypotheses[ranked.hypothesis];
+    const PlacedModel place{&input_.library[h.model], h.world_from_model};
+    return tried_[ranked.hypothesis] ||
+           overlap(place, inner(h.model), placed(candidate), inner(candidates_[candidate].model));
+  });
 }
 
 void SceneSearch::add(int hypothesis) {

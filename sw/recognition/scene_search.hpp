@@ -49,6 +49,7 @@ class SceneSearch {
   void search(int patience);
   bool ask_for_more();
   bool try_batch();
+  bool explains_all(int candidate);
   void add(int hypothesis);
   void add(const Candidate& candidate);
   void fill();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recognition/direction_map.hpp"
+
 namespace trihedron {
 namespace {
 
@@ -12,32 +14,6 @@ using Eigen::Vector2d;
 constexpr int kCellPx = 8;
 /// Half a cell's diagonal, px.
 constexpr double kCellReach = kCellPx * 0.7072;
-/// Directions modulo 180 degrees that a cell tells apart: about 6 degrees each.
-constexpr int kDirections = 32;
-
-/// The direction's place around the half circle, 0 to kDirections: monotonic in the angle, and
-/// cheaper than one.
-float place_of(float dx, float dy) {
-  if (dy < 0) dx = -dx, dy = -dy;
-  return (1 - dx / (std::abs(dx) + dy)) * (kDirections / 2);
-}
-
-/// The bits of all directions within `angle` of a segment's.
-std::uint32_t directions_of(const Segment& s, double angle) {
-  const auto place = [&](double turn) {
-    const double c = std::cos(turn), t = std::sin(turn);
-    return static_cast<int>(
-        place_of(static_cast<float>(c * s.direction.x() - t * s.direction.y()),
-                 static_cast<float>(t * s.direction.x() + c * s.direction.y())));
-  };
-  std::uint32_t bits = 0;
-  const int last = place(angle) % kDirections;
-  for (int bin = place(-angle) % kDirections;; bin = (bin + 1) % kDirections) {
-    bits |= 1U << bin;
-    if (bin == last) return bits;
-  }
-}
-
 /// Distance of a point from a segment (its ends included), px.
 double distance(const Segment& s, const Vector2d& p) {
   const double t = std::clamp(s.along(p), 0.0, s.length);
@@ -63,7 +39,7 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, int width_px, int
     strokes_.push_back({static_cast<float>(s.normal.x()), static_cast<float>(s.normal.y()),
                         static_cast<float>(s.normal.dot(s.p0)),
                         static_cast<float>(s.direction.dot(s.p0)), static_cast<float>(s.length)});
-    const std::uint32_t directions = directions_of(s, angle);
+    const std::uint32_t directions = DirectionBins::around(s, angle);
     const auto cell = [&](double px, int count) {
       return std::clamp(static_cast<int>(std::floor(px / kCellPx)), 0, count - 1);
     };
@@ -90,7 +66,7 @@ int SegmentGrid::find(float x, float y, float dx, float dy) const {
   if (column >= columns_ || row >= rows_) return kOutside;
   const auto cell = static_cast<std::size_t>(row * columns_ + column);
   // Most places have no contour of a given direction: one bit says so.
-  if (!(directions_[cell] >> (static_cast<unsigned>(place_of(dx, dy)) % kDirections) & 1)) {
+  if (!(directions_[cell] >> DirectionBins::bin(dx, dy) & 1)) {
     return kMiss;
   }
   int found = kMiss;

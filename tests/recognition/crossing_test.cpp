@@ -84,17 +84,6 @@ TEST_CASE("an ideal view inverts its own projection") {
   }
 }
 
-TEST_CASE("the index keeps one of the corners that a symmetry maps onto each other") {
-  const LibraryIndex index({rigs::block(60, 45, 35)});
-  // 8 vertices with 6 ordered pairs of edges, four proper symmetries.
-  const auto all = index.by_angle(0, 4);
-  CHECK(all.end() - all.begin() == 12);
-  const auto longest = index.by_length(59, 61);
-  CHECK(longest.end() - longest.begin() == 4);
-  const auto none = index.by_length(61, 90);
-  CHECK(none.begin() == none.end());
-}
-
 TEST_CASE("an edge of which one view hides the far end is whole where the other sees a corner") {
   const Model model = rigs::block(60, 45, 35), screen = rigs::block(50, 6, 60);
   const Transform pose = rigs::pose({0, 0, 0.45}, {5, -8, 17.5});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "recognition/direction_map.hpp"
 #include "recognition/edgels.hpp"
 #include "recognition/glance.hpp"
 #include "recognition/rigs.hpp"
@@ -139,6 +140,30 @@ TEST_CASE("the grid finds the segment that a search through all segments finds")
   REQUIRE(grid.find(5, kSize + 8, 1, 0) == SegmentGrid::kOutside);
 }
 
+TEST_CASE("the direction map says yes wherever the grid finds a segment, and no at most places") {
+  std::mt19937 random(14);
+  constexpr int kSize = 203;  // the last cells lie partly outside
+  const std::vector<Segment> segments = random_segments(25, kSize, random);
+  const SegmentGrid grid(segments, kSize, kSize, kReachPx, kMaxSine);
+  const DirectionMap map(segments, kSize, kSize, kReachPx, kMaxSine);
+  std::uniform_real_distribution<float> at(0, kSize), angle(0, 6.3F);
+  int found = 0, yes = 0;
+  constexpr int kCount = 100000;
+  for (int k = 0; k < kCount; ++k) {
+    const float x = at(random), y = at(random), turn = angle(random);
+    const float dx = std::cos(turn), dy = std::sin(turn);
+    REQUIRE(map.covers(x, y));
+    const bool hit = map.at(x, y) >> DirectionBins::bin(dx, dy) & 1;
+    const int segment = grid.find(x, y, dx, dy);
+    INFO("point " << x << ' ' << y << " direction " << dx << ' ' << dy);
+    if (segment >= 0) REQUIRE(hit);
+    found += segment >= 0;
+    yes += hit;
+  }
+  REQUIRE(found > kCount / 100);
+  CHECK(yes < 3 * found);  // a cell is 4 px wide where the tolerance is 3 px to either side
+}
+
 TEST_CASE("views in lanes see a model as each view does") {
   const std::vector<Camera> cameras = rigs::three_views(GENERATE(true, false));
   std::vector<ViewLines> views;
@@ -148,9 +173,10 @@ TEST_CASE("views in lanes see a model as each view does") {
   const Transform pose{Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix(),
                        {20, -10, 30}};
   constexpr double kFloatPx = 1e-3;
-  for (std::size_t first = 0; first < views.size(); first += ViewLanes::kLanes) {
-    const ViewLanes lanes(views, first, pose);
-    REQUIRE(lanes.count() == std::min<std::size_t>(ViewLanes::kLanes, views.size() - first));
+  for (std::size_t first = 0; first < views.size(); first += LaneRig::kLanes) {
+    const LaneRig rig(views, first);
+    const ViewLanes lanes(rig, pose);
+    REQUIRE(lanes.count() == std::min<std::size_t>(LaneRig::kLanes, views.size() - first));
     for (const Vector3d& x : {Vector3d(0, 0, 0), Vector3d(40, 10, -5), Vector3d(-12, 33, 21)}) {
       const auto images = lanes.project(x.cast<float>());
       const Vector3d normal = x.norm() > 0 ? Vector3d(x.normalized()) : Vector3d(0, 0, 1);
@@ -158,7 +184,7 @@ TEST_CASE("views in lanes see a model as each view does") {
       for (std::size_t lane = 0; lane < lanes.count(); ++lane) {
         const IdealView& view = views[first + lane].ideal;
         const Vector2d expected = view.project(pose * x);
-        const auto i = static_cast<Eigen::Index>(lane);
+        const std::size_t i = lane;
         REQUIRE(images.x[i] == Approx(expected.x()).margin(kFloatPx));
         REQUIRE(images.y[i] == Approx(expected.y()).margin(kFloatPx));
         REQUIRE((facing[i] > 0) == ((pose.R * normal).dot(view.sight(pose * x)) < 0));
