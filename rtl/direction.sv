@@ -72,10 +72,10 @@ module direction #(
   logic [6:0] missed_q;
   logic missed_six_q;
   // product > 64 minor, by the carry of a sum; of the product's last six bits it only matters whether one
-  // is set. Top bit: see neighbour_mean.
+  // is set.
   function automatic logic exceeds(input logic [T-1:0] product, input logic [A-1:0] not_minor);
     logic [A+1:0] sum;
-    sum = {not_minor[A-1], product[T-1:6], |product[5:0]} + {not_minor[A-1], not_minor, 1'b1};
+    sum = {1'b0, product[T-1:6], |product[5:0]} + {1'b0, not_minor, 1'b1};
     exceeds = sum[A+1];
   endfunction
   always_ff @(posedge clk_i) begin
@@ -105,9 +105,9 @@ module direction #(
   logic [1:0] class_q, class_late;
   logic [M+1:0] margin1;
   logic [M+3:0] margin3, margin5;
-  assign margin1 = {magnitude[M-1], magnitude, 1'b1} + {magnitude[M-1], ~branch_floor_i, 1'b1};
-  assign margin3 = {magnitude[M-1], 2'b0, magnitude, 1'b1} + {magnitude[M-1], not_floor3_q};
-  assign margin5 = {magnitude[M-1], 2'b0, magnitude, 1'b1} + {magnitude[M-1], not_floor5_q};
+  assign margin1 = {1'b0, magnitude, 1'b1} + {1'b0, ~branch_floor_i, 1'b1};
+  assign margin3 = {3'b0, magnitude, 1'b1} + {1'b0, not_floor3_q};
+  assign margin5 = {3'b0, magnitude, 1'b1} + {1'b0, not_floor5_q};
   always_ff @(posedge clk_i) begin
     not_floor3_q <= ~((M + 3)'(branch_floor_i) + {2'b0, branch_floor_i, 1'b0});
     not_floor5_q <= ~((M + 3)'(branch_floor_i) + {1'b0, branch_floor_i, 2'b0});

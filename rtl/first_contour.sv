@@ -102,30 +102,32 @@ module first_contour #(
       .above_o(above)
   );
 
-  // a >= b and a > b, by the carry of a sum. Top bit: see neighbour_mean.
-  function automatic logic reaches(input logic [M-1:0] a, input logic [M-1:0] not_b);
+  // a < b and a <= b, by the carry of a sum. Its top operands are inverse to each other, so that the
+  // top bit is the inverted carry; constants would be taken out of the carry chain, for a cell and a
+  // wire more.
+  function automatic logic below(input logic [M-1:0] a, input logic [M-1:0] not_b);
     logic [M+1:0] sum;
-    sum = {a[M-1], a, 1'b1} + {a[M-1], not_b, 1'b1};
-    reaches = sum[M+1];
+    sum = {centre[M-1], a, 1'b1} + {not_centre_q[M-1], not_b, 1'b1};
+    below = sum[M+1];
   endfunction
-  function automatic logic exceeds(input logic [M-1:0] a, input logic [M-1:0] not_b);
+  function automatic logic at_most(input logic [M-1:0] a, input logic [M-1:0] not_b);
     logic [M:0] sum;
-    sum = {a[M-1], a} + {a[M-1], not_b};
-    exceeds = sum[M];
+    sum = {centre[M-1], a} + {not_centre_q[M-1], not_b};
+    at_most = sum[M];
   endfunction
 
   // Clocks 1, 2: inner neighbours (columns 1-3, rows 1-3) that can carry a path, and the path.
   logic [8*M-1:0] inner;
-  logic [7:0] on_q;
-  logic in_frame_q, faint_q, path_q;
+  logic [7:0] weak_q;
+  logic in_frame_q, bright_q, path_q;
   logic nw, n, ne, w, e, sw, s, se;
   assign inner = {window[16*M+:3*M], window[13*M+:M], window[11*M+:M], window[6*M+:3*M]};
-  assign {se, e, ne, s, n, sw, w, nw} = on_q;
+  assign {se, e, ne, s, n, sw, w, nw} = ~weak_q;
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < 8; i++) on_q[i] <= reaches(inner[i*M+:M], not_strong_q);
+    for (int i = 0; i < 8; i++) weak_q[i] <= below(inner[i*M+:M], not_strong_q);
     in_frame_q <= in_frame;
-    faint_q    <= exceeds(noise_floor_i, not_centre_q);
-    path_q     <= in_frame_q && !faint_q &&
+    bright_q   <= at_most(noise_floor_i, not_centre_q);
+    path_q     <= in_frame_q && bright_q &&
                   ((n && s) || (w && e) || (n && (sw || se)) || (s && (nw || ne)) ||
                    (w && (ne || se)) || (e && (nw || sw)) || (nw && (ne || sw || se)) ||
                    (ne && (sw || se)) || (sw && se));
@@ -133,7 +135,7 @@ module first_contour #(
 
   // Clocks 1-3: highest across the contour.
   logic [M-1:0] before_q, after_q, not_centre1_q;
-  logic before_reaches_q, after_exceeds_q, highest_q;
+  logic below_before_q, below_after_q, highest_q;
   always_ff @(posedge clk_i) begin
     case (step)
       2'd0: {before_q, after_q} <= {window[7*M+:M], window[17*M+:M]};
@@ -142,9 +144,9 @@ module first_contour #(
       default: {before_q, after_q} <= {window[8*M+:M], window[16*M+:M]};
     endcase
     not_centre1_q    <= not_centre_q;
-    before_reaches_q <= reaches(before_q, not_centre1_q);
-    after_exceeds_q  <= exceeds(after_q, not_centre1_q);
-    highest_q        <= !before_reaches_q && !after_exceeds_q;
+    below_before_q   <= below(before_q, not_centre1_q);
+    below_after_q    <= at_most(after_q, not_centre1_q);
+    highest_q        <= below_before_q && below_after_q;
   end
 
   // Clock 7.

@@ -99,18 +99,18 @@ module gradient #(
 
   assign tail_valid_o = valid;
 
-  // Clocks 7, 8. |gx|, |gy| < 96 scale fit S - 1 bits. Top bits of the margins: see neighbour_mean.
+  // Clocks 7, 8. |gx|, |gy| < 96 scale fit S - 1 bits. Top operands: see first_contour.
   logic [S-2:0] ax_q, ay_q;
   logic same_sign_q, same_sign_late_q, horizontal_q, vertical_q;
   logic [S:0] margin_x, margin_y;
-  assign margin_x = {ay_q[S-2], 1'b0, ax_q} - {!ay_q[S-2], ay_q, 1'b1};
-  assign margin_y = {ay_q[S-2], ax_q, 1'b0} - {!ay_q[S-2], 1'b0, ay_q};
+  assign margin_x = {ay_q[S-2], 1'b0, ax_q} - {ay_q[S-2], ay_q, 1'b1};
+  assign margin_y = {ay_q[S-2], ax_q, 1'b0} - {ay_q[S-2], 1'b0, ay_q};
   always_ff @(posedge clk_i) begin
     ax_q             <= gx[S-1] ? (S - 1)'(-gx) : gx[S-2:0];
     ay_q             <= gy[S-1] ? (S - 1)'(-gy) : gy[S-2:0];
     same_sign_q      <= gx[S-1] == gy[S-1];
-    horizontal_q     <= margin_x[S];
-    vertical_q       <= !margin_y[S];
+    horizontal_q     <= !margin_x[S];
+    vertical_q       <= margin_y[S];
     same_sign_late_q <= same_sign_q;
   end
   assign data_o = {!horizontal_q && !vertical_q,

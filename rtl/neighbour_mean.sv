@@ -96,9 +96,8 @@ module neighbour_mean #(
       .product_o(bound)
   );
 
-  // Clock 7: bound > 32 sum, by the carry of a sum. Its top operands cancel, so that the top bit is the
-  // carry; constants would be taken out of the carry chain, for a cell and a wire more.
+  // Clock 7: bound > 32 sum, by the carry of a sum.
   logic [M+10:0] margin;
-  assign margin = {bound[M+9], bound} + {bound[M+9], not_sum_q, 5'b11111};
+  assign margin = {1'b0, bound} + {1'b0, not_sum_q, 5'b11111};
   always_ff @(posedge clk_i) above_o <= margin[M+10];
 endmodule

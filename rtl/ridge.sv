@@ -128,7 +128,7 @@ module ridge #(
     if (valid1) centre_q <= {centre_q[5:0], !above_floor[M], first[4], crest2};
   end
 
-  // Clock 5. Top bit of the margin: see neighbour_mean.
+  // Clock 5.
   logic [1:0] flags_late;
   logic crest_late, short_q;
   payload_delay #(
@@ -141,7 +141,7 @@ module ridge #(
   );
   assign data_o = {flags_late, crest_late && !short_q};
   logic [M+5:0] margin;
-  assign margin = {support_i[M+4], support_i} + {support_i[M+4], not_support_q};
+  assign margin = {1'b0, support_i} + {1'b0, not_support_q};
   always_ff @(posedge clk_i) short_q <= margin[M+5];
 
   slot_delay #(

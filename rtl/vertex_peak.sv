@@ -133,10 +133,9 @@ module vertex_peak #(
   logic [4:0] exceeds_q;
   assign above_plus1 = above4 + 7'd1;
   assign at_plus1 = at5_q + 7'd1;
-  // Top bit: see neighbour_mean.
   function automatic logic exceeds_centre(input logic [6:0] score);
     logic [6:0] unused_sum;
-    {exceeds_centre, unused_sum} = {not_centre_q[6], score} + {not_centre_q[6], not_centre_q};
+    {exceeds_centre, unused_sum} = {1'b0, score} + {1'b0, not_centre_q};
   endfunction
   always_ff @(posedge clk_i) begin
     d5_q  <= above_plus1 > below4 ? above_plus1 : below4;

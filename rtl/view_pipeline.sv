@@ -16,7 +16,7 @@
 //                      input register; with hold_i 1 it keeps those of the frame before
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 8 rows and 44 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 8 rows and 42 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
