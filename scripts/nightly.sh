@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The long runs: soak, coverage, mutation, upsets. Takes hours of CPU time; everything goes to
+# The long runs: soak, coverage, mutation, fuzzing, upsets. Takes hours of CPU time; everything goes to
 # build/nightly. usage: scripts/nightly.sh [FRAMES OF THE SOAK]
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -20,5 +20,6 @@ step soak build/release/sw/cli/trihedron verify --frames "${1:-100000}" --seed 1
   --jobs "$(nproc)" --pictures testvectors/scenes --junit $out/soak.xml --coverage $out/soak.json
 step coverage tests/coverage/coverage.sh 6000
 step mutation tests/mutation/mutation.sh
+step fuzz tests/fuzz/fuzz.sh --seconds 3600
 step upsets tests/faults/upsets.sh --upsets 5000
 exit $status
