@@ -62,9 +62,8 @@ int find_along(const ViewLines& v, const SpaceEdge& e) {
   return found;
 }
 
-/// Positions along a common line, mm.
 struct Interval {
-  double low, high;
+  double low, high;  ///< positions along a common line, mm
 };
 
 /// Crosses the segments of two views.
@@ -103,11 +102,8 @@ class PairCrosser {
     const double shortest = tolerance / kSteepest;
     if (high - low < shortest) return;
     agree(views_[a_].stops[i], views_[b_].stops[j], tolerance);
-    if (one_view_ends_) {
-      add_corners(views_[a_].stops[i], along_a_, q, tolerance);
-      add_corners(views_[b_].stops[j], along_b_, p, tolerance);
-      std::sort(agreed_.begin(), agreed_.end());
-    }
+    add_corners(views_[a_].stops[i], along_a_, q, tolerance);
+    add_corners(views_[b_].stops[j], along_b_, p, tolerance);
     for (std::size_t k = 0; k < agreed_.size(); ++k) {
       for (std::size_t l = k + 1; l < agreed_.size(); ++l) {
         if (agreed_[l] - agreed_[k] >= shortest) emit(agreed_[k], agreed_[l], true, true, out);
@@ -170,8 +166,8 @@ class PairCrosser {
 
   /// Positions of a segment's stops along the line; the interval between its ends.
   Interval positions(const std::vector<Stop>& stops, std::vector<double>& along) const {
-    along.clear();
-    for (const Stop& s : stops) along.push_back(nearest_along(line_, s.ray));
+    along.resize(stops.size());
+    for (std::size_t k = 0; k < stops.size(); ++k) along[k] = nearest_along(line_, stops[k].ray);
     return {std::min(along[0], along[1]), std::max(along[0], along[1])};
   }
 
@@ -208,10 +204,11 @@ class PairCrosser {
   /// Ends in corners that the other view does not reach.
   void add_corners(const std::vector<Stop>& stops, const std::vector<double>& along,
                    const Interval& other, double tolerance) {
-    for (std::size_t k = 0; k < along.size(); ++k) {
+    for (std::size_t k = 0; one_view_ends_ && k < along.size(); ++k) {
       const bool beyond = along[k] < other.low - tolerance || along[k] > other.high + tolerance;
       if (stops[k].corner && beyond) agreed_.push_back(along[k]);
     }
+    std::sort(agreed_.begin(), agreed_.end());
   }
 
   void emit(double low, double high, bool low_agreed, bool high_agreed,
@@ -229,10 +226,9 @@ class PairCrosser {
     out.push_back(std::move(e));
   }
 
-  /// A stop of each view, and the point that both may show.
   struct Meeting {
-    std::size_t a, b;
-    Vector3d x;
+    std::size_t a, b;  ///< a stop of each view,
+    Vector3d x;        ///< and the point that both may show
   };
   /// Part of an edge's length that the tolerance may be: beyond, any of its points could be its
   /// end.
