@@ -25,9 +25,10 @@ grep -E 'SB_(LUT4|DFF|CARRY|RAM)' "$out/hx8k.stat"
 : >"$out/hx8k.rates"
 for seed in $(seq "$seeds"); do
   name=$out/hx8k-$seed
-  nextpnr-ice40 --hx8k --package ct256 --pcf-allow-unconstrained --json "$out/hx8k.json" \
+  # Some two minutes of processor time; a router that is still at it after half an hour never ends.
+  timeout 1800 nextpnr-ice40 --hx8k --package ct256 --pcf-allow-unconstrained --json "$out/hx8k.json" \
     --freq 150 --seed "$seed" --timing-allow-fail --report "$name.json" --detailed-timing-report \
-    >"$name.pnr" 2>&1 || { tail -3 "$name.pnr"; exit 1; }
+    >"$name.pnr" 2>&1 || { tail -3 "$name.pnr"; echo "hx8k.sh: seed $seed failed" >&2; exit 1; }
   [ "$seed" -ne 1 ] || grep -E 'ICESTORM_(LC|RAM)' "$name.pnr"
   rate=$(sed -n 's/.*Max frequency for clock.*: \([0-9.]*\) MHz.*/\1/p' "$name.pnr" | tail -1)
   echo "seed $seed: $rate MHz"
