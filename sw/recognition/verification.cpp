@@ -224,8 +224,8 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
 
 /// Log odds of right against wrong from what was measured: logistic regression over 443 claims on
 /// generated scenes, 394 right, 49 wrong (libraries of shapes 10 % different or mirrored, or of
-/// other shapes), which nothing but chance and rivals had been asked about. Fitted on the claims of
-/// one library and asked about the other it is about as good; more measures add nothing to these.
+/// other shapes), which nothing but chance and rivals had been asked about. The weights carry over
+/// from one library to the other, the offset less well; more measures add nothing to these.
 double log_odds(const Verdict& verdict) {
   constexpr double kPerEvidence = 0.07, kPerUnseen = 0.2, kPerDisplaced = 0.17, kNone = -5.2;
   // Beyond these no claim was in doubt.
