@@ -26,6 +26,7 @@ class ContourField {
   static constexpr int kBins = 8;  ///< of 22.5 degrees
 
   explicit ContourField(const ViewFeatures& features);
+  explicit ContourField(ViewFeatures&&) = delete;  // it would not outlive the field
 
   int width() const { return width_; }
   int height() const { return height_; }

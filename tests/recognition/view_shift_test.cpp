@@ -18,7 +18,8 @@ const Transform kPose = rigs::pose({0.1, 0.05, 0.6}, {-5, 4, 32});
 TEST_CASE("a camera whose calibration is off is found to be off by as much") {
   const Model model = rigs::l_bracket();
   const Camera camera = rigs::three_views()[0];
-  const ContourField field(rigs::features_of(camera, {{&model, kPose}}));
+  const ViewFeatures features = rigs::features_of(camera, {{&model, kPose}});
+  const ContourField field(features);
   for (const Vector2d& off : {Vector2d(0, 0), Vector2d(1.5, -1), Vector2d(-2, 0.5)}) {
     Camera believed = camera;
     believed.K(0, 2) -= off.x();
@@ -34,12 +35,13 @@ TEST_CASE("a camera whose calibration is off is found to be off by as much") {
 TEST_CASE("views that disagree by two pixels give an object's evidence all the same") {
   const Model model = rigs::l_bracket();
   std::vector<Camera> cameras = rigs::three_views();
+  const std::vector<View> seen = rigs::views_of({{&model, kPose}});
   std::vector<ContourField> fields;
   fields.reserve(cameras.size());
   std::vector<FieldView> views;
-  for (Camera& camera : cameras) {
-    fields.emplace_back(rigs::features_of(camera, {{&model, kPose}}));
-    views.push_back({&camera, &fields.back()});
+  for (std::size_t v = 0; v < cameras.size(); ++v) {
+    fields.emplace_back(seen[v].features);
+    views.push_back({&cameras[v], &fields.back()});
   }
   const ObjectEvidence exact = collect_evidence(views, {{&model, kPose}}, 0);
   cameras[1].K(0, 2) += 1.4;
@@ -52,7 +54,8 @@ TEST_CASE("views that disagree by two pixels give an object's evidence all the s
 TEST_CASE("where no contour is near, nothing is shifted") {
   const Model model = rigs::block(60, 50, 40);
   const Camera camera = rigs::three_views()[0];
-  const ContourField field(rigs::features_of(camera, {}));
+  const ViewFeatures features = rigs::features_of(camera, {});
+  const ContourField field(features);
   const FieldView view{&camera, &field};
   const auto points =
       edge_points(view, 0, visible_edges(camera, {{&model, kPose}}), kEvidenceStepPx, 4);
