@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "sim/prelude.hpp"
+#include "sim/view_pins.hpp"
 
 namespace trihedron::sim {
 namespace {
@@ -137,21 +138,9 @@ void PinBench::clock() {
 
 void PinBench::drive() {
   Vtrihedron_top& top = pins_->device.pins();
-  unsigned data = 0, valid = 0, user = 0, last = 0, ready = 0;
-  for (unsigned view = 0; view < kViews; ++view) {
-    StreamDriver& driver = pins_->drivers[view];
-    driver.present();
-    data |= static_cast<unsigned>(driver.data()) << (8 * view);
-    valid |= static_cast<unsigned>(driver.valid()) << view;
-    user |= static_cast<unsigned>(driver.user()) << view;
-    last |= static_cast<unsigned>(driver.last()) << view;
-    ready |= static_cast<unsigned>(pins_->monitors[view].ready()) << view;
-  }
-  top.s_axis_tdata = data;
-  top.s_axis_tvalid = static_cast<CData>(valid);
-  top.s_axis_tuser = static_cast<CData>(user);
-  top.s_axis_tlast = static_cast<CData>(last);
-  top.m_axis_contour_tready = static_cast<CData>(ready);
+  present_video(pins_->drivers, top);
+  top.m_axis_contour_tready =
+      view_bits([this](unsigned view) { return pins_->monitors[view].ready(); });
   top.m_axis_vertex_tready = pins_->vertex_monitor.ready();
   pins_->registers.present(top);
 }

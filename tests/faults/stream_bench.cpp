@@ -2,6 +2,7 @@
 #include "faults/stream_bench.hpp"
 
 #include "sim/random.hpp"
+#include "sim/view_pins.hpp"
 
 namespace trihedron::faults {
 namespace {
@@ -51,20 +52,9 @@ bool StreamBench::all_sent() const {
 
 bool StreamBench::clock() {
   Vtrihedron_top& top = device_.pins();
-  unsigned data = 0, valid = 0, user = 0, last = 0, ready = 0;
-  for (unsigned view = 0; view < sim::kViews; ++view) {
-    sim::StreamDriver& driver = drivers_[view];
-    driver.present();
-    data |= static_cast<unsigned>(driver.data()) << (8 * view);
-    valid |= static_cast<unsigned>(driver.valid()) << view;
-    user |= static_cast<unsigned>(driver.user()) << view;
-    last |= static_cast<unsigned>(driver.last()) << view;
-    ready |= static_cast<unsigned>(!contour_stall_.at_this_clock()) << view;
-  }
-  top.s_axis_tdata = data;
-  top.s_axis_tvalid = static_cast<CData>(valid);
-  top.s_axis_tuser = static_cast<CData>(user);
-  top.s_axis_tlast = static_cast<CData>(last);
+  sim::present_video(drivers_, top);
+  const unsigned ready =
+      sim::view_bits([this](unsigned) { return !contour_stall_.at_this_clock(); });
   top.m_axis_contour_tready = static_cast<CData>(ready);
   top.m_axis_vertex_tready = !vertex_stall_.at_this_clock();
   registers_.present(top);

@@ -2,6 +2,7 @@
 #include "fuzz/stream_pair.hpp"
 
 #include "sim/registers.hpp"
+#include "sim/view_pins.hpp"
 
 namespace trihedron::fuzz {
 namespace {
@@ -119,21 +120,9 @@ void StreamPair::clock() {
 
 void StreamPair::drive() {
   Vtrihedron_top& top = device_.pins();
-  unsigned data = 0, valid = 0, user = 0, last = 0, ready = 0;
-  for (unsigned view = 0; view < sim::kViews; ++view) {
-    sim::StreamDriver& driver = drivers_[view];
-    driver.present();
-    data |= static_cast<unsigned>(driver.data()) << (8 * view);
-    valid |= static_cast<unsigned>(driver.valid()) << view;
-    user |= static_cast<unsigned>(driver.user()) << view;
-    last |= static_cast<unsigned>(driver.last()) << view;
-    ready |= static_cast<unsigned>(monitors_[view].ready()) << view;
-  }
-  top.s_axis_tdata = data;
-  top.s_axis_tvalid = static_cast<CData>(valid);
-  top.s_axis_tuser = static_cast<CData>(user);
-  top.s_axis_tlast = static_cast<CData>(last);
-  top.m_axis_contour_tready = static_cast<CData>(ready);
+  sim::present_video(drivers_, top);
+  top.m_axis_contour_tready =
+      sim::view_bits([this](unsigned view) { return monitors_[view].ready(); });
   top.m_axis_vertex_tready = vertex_monitor_.ready();
   master_.present(top);
 }
