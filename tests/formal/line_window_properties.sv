@@ -25,10 +25,9 @@ module line_window_properties #(
   localparam int MaxWidthPx = 6;
   localparam int Voids = 2;  // the fewest void rows that any stage is told of a change of width
 
-  // The stream begins with column 0.
-  logic started_q = 1'b0, begun_q, ok;
+  logic started;
   logic [2:0] frame_width, col;
-  slot_stream #(
+  assumed_slots #(
       .Voids(Voids)
   ) in (
       .clk_i,
@@ -38,17 +37,10 @@ module line_window_properties #(
       .sol_i(sol),
       .sof_i(sof),
       .real_i(is_real),
-      .ok_o(ok),
+      .started_o(started),
       .width_o(frame_width),
       .col_o(col)
   );
-  always_ff @(posedge clk_i) begin
-    started_q <= 1'b1;
-    if (!started_q) assume (!rst_ni);
-    assume (ok && (width == 3'd5 || width == 3'd6));
-    assume (!valid || (rst_ni && (begun_q || sol)));
-    begun_q <= rst_ni && (begun_q || valid);
-  end
 
   // Pixels and side data come one clock behind their slot.
   logic data1_q, side1_q;
@@ -131,7 +123,7 @@ module line_window_properties #(
     {row1_q, back1_q, seen1_q, due1_q} <= {rows, back, seen, side_beats == 2'd2};
     if (!rst_ni) {seen2_q, due2_q} <= '0;
     else if (valid1_q) {seen2_q, due2_q, row2_q, back2_q} <= {seen1_q, due1_q, row1_q, back1_q};
-    if (started_q && rst_ni) begin
+    if (started && rst_ni) begin
       if (valid1_q && seen1_q && back1_q == '0) begin
         assert (column_valid && column[(Rows-1)-32'(row1_q)] == data_q);
       end

@@ -8,6 +8,7 @@ cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 status=0
+slots="tests/formal/slot_stream.sv tests/formal/assumed_slots.sv"  # streams of row slots at an input
 stages="gradient first_contour ridge second_contour vertex_value"
 long="view contour_packer slot_tracker line_window line_window_side line_window_11"
 all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard \
@@ -27,7 +28,7 @@ all_but() {
 
 # stage NAME NUMBER VOIDS: its clocks are those that its header states; arithmetic is cut out.
 stage() {
-  properties=stage others="tests/formal/slot_stream.sv $(all_but "$1")"
+  properties=stage others="$slots $(all_but "$1")"
   slot=$(clocks 'columns \+ ' "$1") data=$(clocks 'data_o ' "$1")
   parameters="chparam -set Stage $2 -set Voids $3 -set Clocks $slot -set DataClocks ${data:-$slot} stage_properties;"
   cut="cutpoint =*derivatives* =*scale5* =*neighbour_mean* =*vertex_ring* =*vertex_turn*;"
@@ -51,10 +52,10 @@ describe() {
       others="rtl/shift_fifo.sv tests/formal/slot_stream.sv"
       ;;
     credit) module=stream_fifo others=rtl/line_memory.sv ;;
-    slot_tracker) others=tests/formal/slot_stream.sv ;;
+    slot_tracker) others=$slots ;;
     line_window*)
       module=line_window properties=line_window
-      others="rtl/line_memory.sv rtl/slot_tracker.sv tests/formal/slot_stream.sv"
+      others="rtl/line_memory.sv rtl/slot_tracker.sv $slots"
       case $1 in
         *_side) parameters="chparam -set SideRows 0 line_window_properties;" ;;
         *_11) parameters="chparam -set Rows 11 line_window_properties;" ;;

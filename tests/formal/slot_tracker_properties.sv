@@ -18,10 +18,9 @@ module slot_tracker_properties #(
   localparam int MaxWidthPx = 6;
   localparam int Voids = TailRows;  // of the input; two rows fewer behind the centre
 
-  logic started_q = 1'b0;
-  logic begun_q, ok;  // begun: a stream begins with column 0
+  logic started;
   logic [2:0] frame_width, in_col, col;
-  slot_stream #(
+  assumed_slots #(
       .Voids(Voids)
   ) in (
       .clk_i,
@@ -31,17 +30,10 @@ module slot_tracker_properties #(
       .sol_i(sol),
       .sof_i(sof),
       .real_i(is_real),
-      .ok_o(ok),
+      .started_o(started),
       .width_o(frame_width),
       .col_o(in_col)
   );
-  always_ff @(posedge clk_i) begin
-    started_q <= 1'b1;
-    if (!started_q) assume (!rst_ni);
-    assume (ok && (width == 3'd5 || width == 3'd6));
-    assume (!valid || (rst_ni && (begun_q || sol)));
-    begun_q <= rst_ni && (begun_q || valid);
-  end
 
   logic centre_valid, centre_sol, centre_eol, centre_sof, centre_real, inside, ends;
   logic tail_sol, tail_sof, tail_real;
@@ -121,7 +113,7 @@ module slot_tracker_properties #(
   );
 
   always_ff @(posedge clk_i) begin
-    if (started_q && rst_ni) begin
+    if (started && rst_ni) begin
       assert (!valid || !rows[3] || col == in_col);
       assert (centre_valid == valid2_q);
       if (centre_valid) begin

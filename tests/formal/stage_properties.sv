@@ -24,9 +24,8 @@ module stage_properties #(
 );
   localparam int MaxWidthPx = 6;
 
-  logic started_q = 1'b0;
-  logic begun_q, ok;  // begun: a stream begins with column 0
-  slot_stream #(
+  logic started;
+  assumed_slots #(
       .Voids(Voids)
   ) in (
       .clk_i,
@@ -36,17 +35,10 @@ module stage_properties #(
       .sol_i(sol),
       .sof_i(sof),
       .real_i(is_real),
-      .ok_o(ok),
+      .started_o(started),
       .width_o(),
       .col_o()
   );
-  always_ff @(posedge clk_i) begin
-    started_q <= 1'b1;
-    if (!started_q) assume (!rst_ni);
-    assume (ok && (width == 3'd5 || width == 3'd6));
-    assume (!valid || (rst_ni && (begun_q || sol)));
-    begun_q <= rst_ni && (begun_q || valid);
-  end
 
   logic out_valid, out_sol, out_eol, out_sof, out_real, result;  // result: any bit of it
   logic [1:0] out_fault;
@@ -143,7 +135,7 @@ module stage_properties #(
   assign due = {valid_q[Clocks-3], centre_q[6*(Clocks-3)+:6]};
 
   always_ff @(posedge clk_i) begin
-    if (started_q && rst_ni) begin
+    if (started && rst_ni) begin
       assert (out_valid == due[6]);
       if (due[6]) begin
         assert ({out_sol, out_sof, out_real, out_fault} == {due[5], due[3:0]});
