@@ -6,38 +6,42 @@
 //         \-> slope -> slope_*
 //
 //   noise_floor_i, mean_limit_i, support_i   thresholds, see first_contour, ridge
-//   slot in, data_i    pixels, see slot_tracker
+//   slot in, data_i    pixels, see slot_tracker; in_row_i the column belongs to its row; before_last_i
+//                      both widths - 2
 //   slope_*            {magnitude, gy, gx} of each real pixel, raster order, slope_first_o at a frame's
 //                      first, slope_begins_o in the clock before; some clocks ahead of
-//   slot out, data_o   {first, contour}, eol_o last column; see second_contour
+//   slot out, data_o   {first, contour}, eol_o last column, in_row_o a column of the row; see second_contour
 //
 // Latency 8 rows + 8 columns + 27 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
 module contours #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
 ) (
-    input  logic                       clk_i,
-    input  logic                       rst_ni,
-    input  logic [   FractionBits+5:0] noise_floor_i,
-    input  logic [                4:0] mean_limit_i,
-    input  logic [  FractionBits+10:0] support_i,
-    input  logic                       valid_i,
-    input  logic                       sol_i,
-    input  logic                       sof_i,
-    input  logic                       real_i,
-    input  logic [                1:0] fault_i,
-    input  logic [                7:0] data_i,
-    output logic                       slope_valid_o,
-    output logic                       slope_first_o,
-    output logic                       slope_begins_o,
-    output logic [3*FractionBits+21:0] slope_data_o,
-    output logic                       valid_o,
-    output logic                       sol_o,
-    output logic                       eol_o,
-    output logic                       sof_o,
-    output logic                       real_o,
-    output logic [                1:0] fault_o,
-    output logic [                1:0] data_o
+    input  logic                            clk_i,
+    input  logic                            rst_ni,
+    input  logic [        FractionBits+5:0] noise_floor_i,
+    input  logic [                     4:0] mean_limit_i,
+    input  logic [       FractionBits+10:0] support_i,
+    input  logic                            valid_i,
+    input  logic                            sol_i,
+    input  logic                            sof_i,
+    input  logic                            real_i,
+    input  logic [                     1:0] fault_i,
+    input  logic                            in_row_i,
+    input  logic [2*$clog2(MaxWidthPx)-1:0] before_last_i,
+    input  logic [                     7:0] data_i,
+    output logic                            slope_valid_o,
+    output logic                            slope_first_o,
+    output logic                            slope_begins_o,
+    output logic [     3*FractionBits+21:0] slope_data_o,
+    output logic                            valid_o,
+    output logic                            sol_o,
+    output logic                            eol_o,
+    output logic                            sof_o,
+    output logic                            real_o,
+    output logic [                     1:0] fault_o,
+    output logic                            in_row_o,
+    output logic [                     1:0] data_o
 );
   if (FractionBits < 0 || FractionBits > 6) begin : gen_illegal
     illegal_FractionBits_must_be_0_to_6 stop ();
@@ -61,6 +65,7 @@ module contours #(
       .sof_i,
       .real_i,
       .fault_i,
+      .in_row_i,
       .data_i,
       .valid_o(gradient_valid),
       .sol_o(gradient_sol),
@@ -88,6 +93,7 @@ module contours #(
       .sof_i(tail_sof),
       .real_i(tail_real),
       .fault_i(tail_fault),
+      .before_last_i,
       .column_valid_i(tail_column_valid),
       .column_i(tail_column),
       .valid_o(slope_valid_o),
@@ -156,6 +162,7 @@ module contours #(
       .sof_i(ridge_sof),
       .real_i(ridge_real),
       .fault_i(ridge_fault),
+      .before_last_i,
       .data_i(ridge_data),
       .valid_o,
       .sol_o,
@@ -163,6 +170,7 @@ module contours #(
       .sof_o,
       .real_o,
       .fault_o,
+      .in_row_o,
       .data_o
   );
 endmodule

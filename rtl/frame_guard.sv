@@ -16,9 +16,11 @@
 //   line_*           announcements: line_whole_o a line (line_first_o of a frame), line_last_o
 //                    the frame ends here, line_fault_o how: 0 clean, 1 bad line, 2 bad height,
 //                    3 smaller than 5 rows; line_ready_i: room for two more
-//   before_last_o    width - 2 of the frames announced from now on
-//   switch_o         waits for drained_i (nothing in flight): before a start of frame when
-//                    settings_changed_i, behind a first line when its width is new
+//   before_last_o    the two widths - 2 that lines in flight may have, the first in the low bits;
+//                    line_tag_o which of them the line announced has
+//   switch_o         waits: before a start of frame when settings_changed_i for drained_i (nothing
+//                    in flight), behind a first line of a new width for width_free_i (no line of
+//                    the width that is not in force)
 //   load_settings_o  a start of frame is let in next: the settings come into force
 //   idle_o           nothing arrived for 16 clocks
 //   event_o          one clock per event: see the bits below
@@ -28,36 +30,38 @@ module frame_guard #(
     parameter int MaxWidthPx  = 1920,
     parameter int MaxHeightPx = 1200
 ) (
-    input  logic                          clk_i,
-    input  logic                          rst_ni,
-    input  logic                          s_axis_tvalid_i,
-    output logic                          s_axis_tready_o,
-    input  logic [                   7:0] s_axis_tdata_i,
-    input  logic                          s_axis_tuser_i,
-    input  logic                          s_axis_tlast_i,
-    input  logic                          enable_i,
-    input  logic                          hold_i,
-    input  logic [                  11:0] frame_height_i,
-    input  logic [                  19:0] flush_timeout_i,
-    output logic                          pixel_valid_o,
-    output logic [                   7:0] pixel_o,
-    output logic                          pixel_first_o,
-    output logic                          pixel_step_o,
-    output logic                          pixel_commit_o,
-    input  logic                          ring_ready_i,
-    output logic                          line_valid_o,
-    input  logic                          line_ready_i,
-    output logic                          line_whole_o,
-    output logic                          line_first_o,
-    output logic                          line_last_o,
-    output logic [                   1:0] line_fault_o,
-    output logic [$clog2(MaxWidthPx)-1:0] before_last_o,
-    input  logic                          settings_changed_i,
-    output logic                          switch_o,
-    input  logic                          drained_i,
-    output logic                          load_settings_o,
-    output logic                          idle_o,
-    output logic [                   7:0] event_o
+    input  logic                            clk_i,
+    input  logic                            rst_ni,
+    input  logic                            s_axis_tvalid_i,
+    output logic                            s_axis_tready_o,
+    input  logic [                     7:0] s_axis_tdata_i,
+    input  logic                            s_axis_tuser_i,
+    input  logic                            s_axis_tlast_i,
+    input  logic                            enable_i,
+    input  logic                            hold_i,
+    input  logic [                    11:0] frame_height_i,
+    input  logic [                    19:0] flush_timeout_i,
+    output logic                            pixel_valid_o,
+    output logic [                     7:0] pixel_o,
+    output logic                            pixel_first_o,
+    output logic                            pixel_step_o,
+    output logic                            pixel_commit_o,
+    input  logic                            ring_ready_i,
+    output logic                            line_valid_o,
+    input  logic                            line_ready_i,
+    output logic                            line_whole_o,
+    output logic                            line_first_o,
+    output logic                            line_last_o,
+    output logic [                     1:0] line_fault_o,
+    output logic                            line_tag_o,
+    output logic [2*$clog2(MaxWidthPx)-1:0] before_last_o,
+    input  logic                            width_free_i,
+    input  logic                            settings_changed_i,
+    output logic                            switch_o,
+    input  logic                            drained_i,
+    output logic                            load_settings_o,
+    output logic                            idle_o,
+    output logic [                     7:0] event_o
 );
   localparam int ShortLine = 0, LongLine = 1, TooWide = 2, TooNarrow = 3, TooTall = 4,
                  NoStart = 5, EarlyStart = 6, TooFewRows = 7;
@@ -95,7 +99,7 @@ module frame_guard #(
       .eol_i(eol),
       .commit_i(commit),
       .begun_i(begun_q),
-      .load_width_i(width_wait_q && drained_i),
+      .load_width_i(width_wait_q && width_free_i),
       .hold_i,
       .frame_height_i,
       .in_line_o(in_line),
@@ -103,6 +107,7 @@ module frame_guard #(
       .must_end_o(must_end),
       .same_width_o(same_width),
       .before_last_o,
+      .second_o(line_tag_o),
       .last_row_o(last_row),
       .over_max_o(over_max),
       .few_rows_o(few_rows),
@@ -129,7 +134,7 @@ module frame_guard #(
     end else begin
       settings_wait_q   <= arrival && settings_stop && !load_settings_o;
       settings_loaded_q <= load_settings_o || (settings_loaded_q && !take);
-      width_wait_q      <= (commit && !begun_q && !same_width) || (width_wait_q && !drained_i);
+      width_wait_q      <= (commit && !begun_q && !same_width) || (width_wait_q && !width_free_i);
       if (start) begin
         active_q <= enable_i && !eol;
         begun_q  <= 1'b0;
@@ -148,7 +153,7 @@ module frame_guard #(
       end
     end
   end
-  assign switch_o = settings_wait_q || width_wait_q;
+  assign switch_o = settings_wait_q || (width_wait_q && !width_free_i);
   assign load_settings_o = settings_wait_q && drained_i;
 
   assign pixel_valid_o = in_valid;

@@ -20,7 +20,8 @@ module line_window #(
     parameter int SideWidth  = 0,    // bits per pixel that only the centre needs
     parameter int SideRows   = 2,    // rows the side data wait: 2, or 0 if they come two rows late
     parameter int Rows       = 5,    // 5, 9 .. 17
-    parameter int MaxWidthPx = 1920  // longest row, px
+    parameter int MaxWidthPx = 1920, // longest row, px
+    parameter bit Limited    = 1'b0  // see slot_tracker
 ) (
     input  logic                                 clk_i,
     input  logic                                 rst_ni,
@@ -29,6 +30,8 @@ module line_window #(
     input  logic                                 sof_i,
     input  logic                                 real_i,
     input  logic [                          1:0] fault_i,
+    input  logic                                 within_i,
+    input  logic [     2*$clog2(MaxWidthPx)-1:0] before_last_i,
     input  logic [                    Width-1:0] data_i,
     input  logic [(SideWidth>0?SideWidth:1)-1:0] side_i,
     output logic                                 column_valid_o,
@@ -41,6 +44,7 @@ module line_window #(
     output logic                                 sof_o,
     output logic                                 real_o,
     output logic [                          1:0] fault_o,
+    output logic                                 in_row_o,
     output logic                                 inside_o,
     output logic                                 tail_sol_o,
     output logic                                 tail_sof_o,
@@ -61,7 +65,8 @@ module line_window #(
   logic [ColBits-1:0] col, col1;
   slot_tracker #(
       .MaxWidthPx(MaxWidthPx),
-      .TailRows  (Rows == 5 ? 4 : Rows - 5)
+      .TailRows  (Rows == 5 ? 4 : Rows - 5),
+      .Limited   (Limited)
   ) i_tracker (
       .clk_i,
       .rst_ni,
@@ -70,6 +75,8 @@ module line_window #(
       .sof_i,
       .real_i,
       .fault_i,
+      .within_i,
+      .before_last_i,
       .col_o(col),
       .valid1_o(valid1),
       .col1_o(col1),
@@ -79,6 +86,7 @@ module line_window #(
       .sof_o,
       .real_o,
       .fault_o,
+      .in_row_o,
       .inside_o,
       .tail_sol_o,
       .tail_sof_o,

@@ -9,38 +9,41 @@
 //
 //   slot in, out   see slot_tracker; data_i = {floor, first} of the pixel two rows above and ridge, one
 //                  clock behind its slot; data_o = {first, contour} of the centre pixel, eol_o its
-//                  last column
+//                  last column, in_row_o a column of its row
 //
 // Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no contour.
 module second_contour #(
     parameter int MaxWidthPx = 1920
 ) (
-    input  logic       clk_i,
-    input  logic       rst_ni,
-    input  logic       valid_i,
-    input  logic       sol_i,
-    input  logic       sof_i,
-    input  logic       real_i,
-    input  logic [1:0] fault_i,
-    input  logic [2:0] data_i,
-    output logic       valid_o,
-    output logic       sol_o,
-    output logic       eol_o,
-    output logic       sof_o,
-    output logic       real_o,
-    output logic [1:0] fault_o,
-    output logic [1:0] data_o
+    input  logic                            clk_i,
+    input  logic                            rst_ni,
+    input  logic                            valid_i,
+    input  logic                            sol_i,
+    input  logic                            sof_i,
+    input  logic                            real_i,
+    input  logic [                     1:0] fault_i,
+    input  logic [2*$clog2(MaxWidthPx)-1:0] before_last_i,
+    input  logic [                     2:0] data_i,
+    output logic                            valid_o,
+    output logic                            sol_o,
+    output logic                            eol_o,
+    output logic                            sof_o,
+    output logic                            real_o,
+    output logic [                     1:0] fault_o,
+    output logic                            in_row_o,
+    output logic [                     1:0] data_o
 );
   localparam int Latency = 4;
 
   logic [24:0] window;
-  logic valid, sol, eol, sof, is_real, in_frame, floor, first;
+  logic valid, sol, eol, sof, is_real, in_row, in_frame, floor, first;
   logic [1:0] fault;
   line_window #(
       .Width     (1),
       .SideWidth (2),
       .SideRows  (0),
-      .MaxWidthPx(MaxWidthPx)
+      .MaxWidthPx(MaxWidthPx),
+      .Limited   (1'b1)
   ) i_window (
       .clk_i,
       .rst_ni,
@@ -49,6 +52,8 @@ module second_contour #(
       .sof_i,
       .real_i,
       .fault_i,
+      .within_i(1'b1),
+      .before_last_i(before_last_i),
       .data_i(data_i[0]),
       .side_i(data_i[2:1]),
       .column_valid_o(),
@@ -61,6 +66,7 @@ module second_contour #(
       .sof_o(sof),
       .real_o(is_real),
       .fault_o(fault),
+      .in_row_o(in_row),
       .inside_o(in_frame),
       .tail_sol_o(),
       .tail_sof_o(),
@@ -137,12 +143,12 @@ module second_contour #(
   logic first_late;
   assign data_o = {first_late, contour_q};
   payload_delay #(
-      .Width (2),
+      .Width (3),
       .Clocks(Latency)
   ) i_first (
       .clk_i,
-      .data_i({eol, first}),
-      .data_o({eol_o, first_late})
+      .data_i({in_row, eol, first}),
+      .data_o({in_row_o, eol_o, first_late})
   );
   slot_delay #(
       .Clocks(Latency)

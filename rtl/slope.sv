@@ -5,7 +5,8 @@
 // To carry gx, gy and the magnitude along with the contour would take 6 rows of 31 bits in line
 // memories; six rows of pixels take 48 and a second kernel.
 //
-//   slot and column in   the tail of gradient's window, the slot one clock behind the column
+//   slot and column in   the tail of gradient's window, the slot one clock behind the column;
+//                        before_last_i both widths - 2, see slot_tracker
 //   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order;
 //                        first_o: a frame's first; begins_o: it comes with the next clock
 //
@@ -14,27 +15,29 @@ module slope #(
     parameter int MaxWidthPx   = 1920,
     parameter int FractionBits = 3
 ) (
-    input  logic                       clk_i,
-    input  logic                       rst_ni,
-    input  logic                       valid_i,
-    input  logic                       sol_i,
-    input  logic                       sof_i,
-    input  logic                       real_i,
-    input  logic [                1:0] fault_i,
-    input  logic                       column_valid_i,
-    input  logic [               39:0] column_i,
-    output logic                       valid_o,
-    output logic                       first_o,
-    output logic                       begins_o,
-    output logic [3*FractionBits+21:0] data_o
+    input  logic                            clk_i,
+    input  logic                            rst_ni,
+    input  logic                            valid_i,
+    input  logic                            sol_i,
+    input  logic                            sof_i,
+    input  logic                            real_i,
+    input  logic [                     1:0] fault_i,
+    input  logic [2*$clog2(MaxWidthPx)-1:0] before_last_i,
+    input  logic                            column_valid_i,
+    input  logic [                    39:0] column_i,
+    output logic                            valid_o,
+    output logic                            first_o,
+    output logic                            begins_o,
+    output logic [     3*FractionBits+21:0] data_o
 );
   localparam int M = 6 + FractionBits;
   localparam int S = 8 + FractionBits;
 
   // Clock 3 (column_i is clock 0): what a beat is.
-  logic valid, is_real, in_frame, in_frame_late, sol, sof;
+  logic valid, is_real, in_row, in_frame, in_frame_late, sol, sof;
   slot_tracker #(
-      .MaxWidthPx(MaxWidthPx)
+      .MaxWidthPx(MaxWidthPx),
+      .Limited   (1'b1)
   ) i_tracker (
       .clk_i,
       .rst_ni,
@@ -43,6 +46,8 @@ module slope #(
       .sof_i,
       .real_i,
       .fault_i,
+      .within_i(1'b1),
+      .before_last_i(before_last_i),
       .col_o(),
       .valid1_o(),
       .col1_o(),
@@ -52,6 +57,7 @@ module slope #(
       .sof_o(sof),
       .real_o(is_real),
       .fault_o(),
+      .in_row_o(in_row),
       .inside_o(in_frame),
       .tail_sol_o(),
       .tail_sof_o(),
@@ -91,7 +97,7 @@ module slope #(
   ) i_beat (
       .clk_i,
       .rst_ni,
-      .data_i({valid && is_real, sof && sol}),
+      .data_i({valid && in_row && (is_real || sof), sof && sol}),
       .data_o({valid8, first8})
   );
 

@@ -9,7 +9,7 @@
 //
 //   d = max(score above + 1, score below),  left = max(d, score + 1),  right = max(d, score)
 //
-//   slot in    see slot_tracker; value_i, above_i see vertex_value
+//   slot in    see slot_tracker; before_last_i both widths - 2; value_i, above_i see vertex_value
 //   vertex_*   in raster order, at least three columns apart, coordinates in px; branches and
 //              pattern of the branch pixels around the vertex; strength_o the score, 25 .. 64
 //   end_valid_o, end_fault_o   behind the last vertex of a frame; how the frame ended
@@ -19,24 +19,28 @@
 module vertex_peak #(
     parameter int MaxWidthPx = 1920
 ) (
-    input  logic        clk_i,
-    input  logic        rst_ni,
-    input  logic        valid_i,
-    input  logic        sol_i,
-    input  logic        sof_i,
-    input  logic        real_i,
-    input  logic [ 1:0] fault_i,
-    input  logic        value_i,
-    input  logic [ 1:0] above_i,
-    output logic        vertex_valid_o,
-    output logic [11:0] vertex_x_o,
-    output logic [11:0] vertex_y_o,
-    output logic [ 3:0] vertex_branches_o,
-    output logic [ 7:0] vertex_pattern_o,
-    output logic [ 6:0] vertex_strength_o,
-    output logic        end_valid_o,
-    output logic [ 1:0] end_fault_o
+    input  logic                            clk_i,
+    input  logic                            rst_ni,
+    input  logic                            valid_i,
+    input  logic                            sol_i,
+    input  logic                            sof_i,
+    input  logic                            real_i,
+    input  logic [                     1:0] fault_i,
+    input  logic [2*$clog2(MaxWidthPx)-1:0] before_last_i,
+    input  logic                            value_i,
+    input  logic [                     1:0] above_i,
+    output logic                            vertex_valid_o,
+    output logic [                    11:0] vertex_x_o,
+    output logic [                    11:0] vertex_y_o,
+    output logic [                     3:0] vertex_branches_o,
+    output logic [                     7:0] vertex_pattern_o,
+    output logic [                     6:0] vertex_strength_o,
+    output logic                            end_valid_o,
+    output logic [                     1:0] end_fault_o
 );
+  if (MaxWidthPx < 5 || MaxWidthPx > 4080) begin : gen_illegal
+    illegal_MaxWidthPx_5_to_4080 stop ();
+  end
   localparam int ColBits = $clog2(MaxWidthPx);
   localparam logic [6:0] LeastScore = 7'd25;
 
@@ -53,6 +57,8 @@ module vertex_peak #(
       .sof_i,
       .real_i,
       .fault_i,
+      .within_i(1'b1),
+      .before_last_i((2 * ColBits)'(0)),
       .col_o(col),
       .valid1_o(valid1),
       .col1_o(col1),
@@ -62,6 +68,7 @@ module vertex_peak #(
       .sof_o(sof2),
       .real_o(),
       .fault_o(),
+      .in_row_o(),
       .inside_o(),
       .tail_sol_o(first2),
       .tail_sof_o(),
@@ -73,20 +80,37 @@ module vertex_peak #(
 
   // Clock 1: the column's values of seven rows, newest in the high bits, and the branch pixels of
   // the five rows around the centre. Rows that are no frame's count 0, and so do those before a
-  // frame that follows void rows: the memory may hold something else there, of another width.
+  // frame that follows void rows: the memory may hold something else there, of another width. For
+  // the same reason what lies beyond a frame does, in the first row of a wider one behind it.
   logic value1_q;
   logic [1:0] above1_q;
   logic [6:0] rows_real_q, values;
   logic [5:0] older;
   logic [2:0] older_on;
-  assign values = {value1_q, older & rows_real_q[5:0]};
+  logic sol1_q, old_column, widens_q, second_width_q;
+  assign values = {value1_q, old_column || !widens_q ? older & rows_real_q[5:0] : 6'd0};
+  row_limit #(
+      .ColBits(ColBits)
+  ) i_limit (
+      .clk_i,
+      .valid_i(valid1),
+      .sol_i(sol1_q),
+      .col_i(col1),
+      .before_last_i,
+      .second_i(!second_width_q),
+      .within_o(old_column)
+  );
   always_ff @(posedge clk_i) begin
     value1_q <= value_i;
     above1_q <= above_i;
+    sol1_q   <= sol_i;
+    if (valid_i && sol_i) widens_q <= sof_i && !real_i != second_width_q;
+    if (!rst_ni) second_width_q <= 1'b0;
+    else if (valid_i && sol_i && sof_i) second_width_q <= !real_i;
     if (!rst_ni) begin
       rows_real_q <= '0;
     end else if (valid_i && sol_i) begin
-      rows_real_q <= {real_i, sof_i && !rows_real_q[6] ? 6'd0 : rows_real_q[6:1]};
+      rows_real_q <= {real_i || sof_i, sof_i && !rows_real_q[6] ? 6'd0 : rows_real_q[6:1]};
     end
   end
   line_memory #(

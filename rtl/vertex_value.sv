@@ -12,7 +12,8 @@
 //           pixel is a branch pixel
 //
 //   min_turn_i        threshold, 1/64 turn
-//   slot in           see slot_tracker; data_i direction, 0 for no branch pixel, one clock behind it
+//   slot in           see slot_tracker; in_row_i the column belongs to its row; data_i direction, 0 for
+//                     no branch pixel, one clock behind it
 //   slot out          of the centre; value_o; above_o: whether the pixels one (bit 1) and two above
 //                     the centre are branch pixels
 //
@@ -28,6 +29,7 @@ module vertex_value #(
     input  logic       sof_i,
     input  logic       real_i,
     input  logic [1:0] fault_i,
+    input  logic       in_row_i,
     input  logic [6:0] data_i,
     output logic       valid_o,
     output logic       sol_o,
@@ -39,6 +41,8 @@ module vertex_value #(
 );
   localparam int Latency = 7;
 
+  logic in_row_q;
+  always_ff @(posedge clk_i) in_row_q <= in_row_i;
   logic [34:0] column;
   logic column_valid, valid, sol, sof, is_real, in_frame;
   logic [1:0] fault;
@@ -53,6 +57,8 @@ module vertex_value #(
       .sof_i,
       .real_i,
       .fault_i,
+      .within_i(in_row_q),
+      .before_last_i((2 * $clog2(MaxWidthPx))'(0)),
       .data_i,
       .side_i(1'b0),
       .column_valid_o(column_valid),
@@ -65,6 +71,7 @@ module vertex_value #(
       .sof_o(sof),
       .real_o(is_real),
       .fault_o(fault),
+      .in_row_o(),
       .inside_o(in_frame),
       .tail_sol_o(),
       .tail_sof_o(),

@@ -86,7 +86,8 @@ module view_pipeline #(
   logic [1:0] line_fault;
   logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready, read, restart;
   logic [7:0] pixel;
-  logic [ColBits-1:0] before_last;
+  logic [2*ColBits-1:0] before_last;
+  logic line_tag, width_free;
   frame_guard #(
       .MaxWidthPx (MaxWidthPx),
       .MaxHeightPx(MaxHeightPx)
@@ -114,7 +115,9 @@ module view_pipeline #(
       .line_first_o(line_first),
       .line_last_o(line_last),
       .line_fault_o(line_fault),
+      .line_tag_o(line_tag),
       .before_last_o(before_last),
+      .width_free_i(width_free),
       .settings_changed_i(settings_changed_q),
       .switch_o(switch_wanted),
       .drained_i(drained),
@@ -126,7 +129,7 @@ module view_pipeline #(
   logic contour_ready, vertex_ready, go_q;
   always_ff @(posedge clk_i) go_q <= rst_ni && contour_ready && vertex_ready;
 
-  logic slot_valid, slot_sol, slot_sof, slot_real;
+  logic slot_valid, slot_sol, slot_sof, slot_real, slot_in_row;
   logic [1:0] slot_fault;
   logic [7:0] slot_data;
   row_slots #(
@@ -140,7 +143,9 @@ module view_pipeline #(
       .line_first_i(line_first),
       .line_last_i(line_last),
       .line_fault_i(line_fault),
+      .line_tag_i(line_tag),
       .before_last_i(before_last),
+      .width_free_o(width_free),
       .read_o(read),
       .restart_o(restart),
       .unread_o(unread),
@@ -152,7 +157,8 @@ module view_pipeline #(
       .sol_o(slot_sol),
       .sof_o(slot_sof),
       .real_o(slot_real),
-      .fault_o(slot_fault)
+      .fault_o(slot_fault),
+      .in_row_o(slot_in_row)
   );
 
   pixel_ring #(
@@ -174,7 +180,7 @@ module view_pipeline #(
   );
 
   logic slope_valid, slope_first, slope_begins;
-  logic second_valid, second_sol, second_eol, second_sof, second_real;
+  logic second_valid, second_sol, second_eol, second_sof, second_real, second_in_row;
   logic [3*FractionBits+21:0] slope_data;
   logic [1:0] second_fault, second_data;
   contours #(
@@ -191,6 +197,8 @@ module view_pipeline #(
       .sof_i(slot_sof),
       .real_i(slot_real),
       .fault_i(slot_fault),
+      .in_row_i(slot_in_row),
+      .before_last_i(before_last),
       .data_i(slot_data),
       .slope_valid_o(slope_valid),
       .slope_first_o(slope_first),
@@ -202,6 +210,7 @@ module view_pipeline #(
       .sof_o(second_sof),
       .real_o(second_real),
       .fault_o(second_fault),
+      .in_row_o(second_in_row),
       .data_o(second_data)
   );
 
@@ -214,7 +223,7 @@ module view_pipeline #(
       .slope_first_i(slope_first),
       .slope_begins_i(slope_begins),
       .slope_data_i(slope_data),
-      .flags_valid_i(second_valid && second_real),
+      .flags_valid_i(second_valid && second_in_row && (second_real || second_sof)),
       .flags_sol_i(second_sol),
       .flags_eol_i(second_eol),
       .flags_sof_i(second_sof),
@@ -249,6 +258,8 @@ module view_pipeline #(
       .sof_i(second_sof),
       .real_i(second_real),
       .fault_i(second_fault),
+      .in_row_i(second_in_row),
+      .before_last_i(before_last),
       .contour_i(second_data[0]),
       .vertex_valid_o(vertex_valid),
       .vertex_x_o(vertex_x),

@@ -25,6 +25,7 @@ module frame_guard_properties #(
     input logic        read_step,
     input logic        settings_changed,
     input logic        drained,
+    input logic        width_free,
     input logic        unread
 );
   localparam int MaxWidthPx = 6;
@@ -95,9 +96,11 @@ module frame_guard_properties #(
   logic [RingBits:0] base_q, read_q, waiting;
   logic [7:0] pixel, events;
   logic [1:0] line_fault;
-  logic [2:0] before_last, last_col;
+  logic [5:0] before_last;
+  logic [2:0] last_col;
+  logic line_tag;
   assign waiting = base_q - read_q;
-  assign last_col = before_last + 3'd1;
+  assign last_col = (line_tag ? before_last[5:3] : before_last[2:0]) + 3'd1;
 
   frame_guard #(
       .MaxWidthPx (MaxWidthPx),
@@ -126,7 +129,9 @@ module frame_guard_properties #(
       .line_first_o(line_first),
       .line_last_o(line_last),
       .line_fault_o(line_fault),
+      .line_tag_o(line_tag),
       .before_last_o(before_last),
+      .width_free_i(width_free),
       .settings_changed_i(settings_changed),
       .switch_o(switch_wanted),
       .drained_i(drained),
@@ -164,20 +169,23 @@ module frame_guard_properties #(
   assign offset  = \ring.here - \ring.commit_q ;
   assign watched = pixel_valid && offset == 6'(watched_col) ? pixel : watched_q;
 
-  logic open_q, frame_parity_q, was_reset_q, drained_q, line_ready_q;
-  logic [2:0] last_col_q, height1_q;
+  logic open_q, frame_parity_q, was_reset_q, width_free_q, line_tag_q, line_ready_q;
+  logic [5:0] before_last_q;
+  logic [2:0] height1_q;
   logic [2:0] rows_q, stall_q, frame_last_col_q, rows;
   logic [RingBits:0] last_start_q, waiting_q;
   assign rows = (line_first ? 3'd0 : rows_q) + 3'(line_whole);
   always_ff @(posedge clk_i) begin
     assume (watched_col <= 3'd5);
-    assume (!drained || (!open_q && line_ready));  // row_slots: an open frame is in flight
+    assume (!drained || !open_q);        // row_slots: an open frame is in flight
+    assume (!width_free || line_ready);  // and nothing is announced
     assume (unread || waiting_q == '0);
     waiting_q <= rst_ni ? waiting : '0;
     was_reset_q <= !rst_ni;
-    drained_q <= drained;
+    width_free_q <= width_free;
+    line_tag_q <= line_tag;
+    before_last_q <= before_last;
     line_ready_q <= line_ready;
-    last_col_q <= last_col;
     height1_q <= height_q;
     watched_q <= watched;
     if (pixel_commit) line_watched_q <= watched;
@@ -191,7 +199,7 @@ module frame_guard_properties #(
         last_start_q <= base_q;
       end
       if (line_valid) open_q <= !line_last;
-      stall_q <= tvalid && !tready && line_ready && drained && waiting == '0 ? stall_q + 3'd1
+      stall_q <= tvalid && !tready && line_ready && drained && width_free && waiting == '0 ? stall_q + 3'd1
                                                                              : '0;
     end
     if (line_valid) begin
@@ -203,11 +211,16 @@ module frame_guard_properties #(
     if (started_q && rst_ni) begin
       // Ring: what waits is not overwritten, and where the line announced last begins is known.
       if (Shape) assert (!pixel_valid || waiting + (\ring.here - base_q) < 6'd32);
-      if (Shape) assert (\ring.line_q == last_start_q || switch_wanted || line_valid);
+      if (Shape) assert (\ring.line_q == last_start_q || switch_wanted || line_valid || width_free);
       if (Shape) assert (!line_valid || !line_whole || \ring.line_q == base_q);
       if (Shape) assert (stall_q < 3'd6);
-      // Width and settings change only when nothing is in flight, settings before a first pixel.
-      if (Shape && !was_reset_q) assert (last_col == last_col_q || drained_q);
+      // A width takes the place of one that is free; settings change only when nothing is in flight,
+      // before a first pixel.
+      if (Shape && !was_reset_q && line_tag == line_tag_q) assert (before_last == before_last_q);
+      if (Shape && !was_reset_q && line_tag != line_tag_q) begin
+        assert (width_free_q && (line_tag ? before_last[2:0] == before_last_q[2:0]
+                                          : before_last[5:3] == before_last_q[5:3]));
+      end
       if (Shape) assert (!load_settings || (drained && !open_q && tuser && tvalid));
       if (Shape) assert (!switch_wanted || !open_q || (line_valid && line_last));
       if (Shape && line_valid) begin
@@ -257,7 +270,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.i_checks.over_max_o ;
   (* hierconn *) wire \dut.i_checks.height_known_o ;
   (* hierconn *) wire \dut.i_checks.five_q ;
-  (* hierconn *) wire [2:0] \dut.i_checks.col_q ;
+  (* hierconn *) wire [2:0] \dut.i_checks.col_q , \dut.i_checks.limit_q ;
   (* hierconn *) wire [11:0] \dut.i_checks.line_q ;
   (* hierconn *) wire [11:0] \dut.i_checks.height_q ;
   wire active = \dut.active_q ;
@@ -277,6 +290,7 @@ module frame_guard_properties #(
   always_ff @(posedge clk_i) begin
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
+      assert (was_reset_q || line_tag != line_tag_q || \dut.i_checks.limit_q == last_col - 3'd1);
       assert (\ring.read_q == read_q && \dut.i_checks.height_q == 12'(height_q));
       assert (\ring.line_q == (announced && line_whole ? base_q : last_start_q));
       if (announced && line_whole && watched_col < width_next) begin

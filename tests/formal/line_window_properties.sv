@@ -17,7 +17,8 @@ module line_window_properties #(
     input logic       sol,
     input logic       sof,
     input logic       is_real,
-    input logic [2:0] width,
+    input logic [1:0] change,
+    input logic [2:0] new_width,
     input logic       data,
     input logic       side,
     input logic       watch
@@ -25,21 +26,26 @@ module line_window_properties #(
   localparam int MaxWidthPx = 6;
   localparam int Voids = 2;  // the fewest void rows that any stage is told of a change of width
 
-  logic started;
-  logic [2:0] frame_width, col;
+  logic started, in_row;
+  logic [1:0] kind;
+  logic [2:0] col;
   assumed_slots #(
       .Voids(Voids)
   ) in (
       .clk_i,
       .rst_ni,
-      .width_i(width),
+      .change_i(change),
+      .new_width_i(new_width),
       .valid_i(valid),
       .sol_i(sol),
       .sof_i(sof),
       .real_i(is_real),
       .started_o(started),
-      .width_o(frame_width),
-      .col_o(col)
+      .width_o(),
+      .before_last_o(),
+      .kind_o(kind),
+      .col_o(col),
+      .in_row_o(in_row)
   );
 
   // Pixels and side data come one clock behind their slot.
@@ -63,6 +69,8 @@ module line_window_properties #(
       .sof_i(sof),
       .real_i(is_real),
       .fault_i(2'd0),
+      .within_i(1'b1),
+      .before_last_i(6'd0),
       .data_i(data1_q),
       .side_i(side1_q),
       .column_valid_o(column_valid),
@@ -75,6 +83,7 @@ module line_window_properties #(
       .sof_o(),
       .real_o(),
       .fault_o(),
+      .in_row_o(),
       .inside_o(),
       .tail_sol_o(),
       .tail_sof_o(),
@@ -86,14 +95,13 @@ module line_window_properties #(
 
   // The watched pixel; rows since, whether the current row is one of its frame. Its side data are due
   // two beats behind the second visit of its column since, where they wait two rows, or behind itself.
-  logic watched_q, same_q, now, same, data_q, side_q, real_q, row_real, visit;
+  logic watched_q, same_q, now, same, data_q, side_q, visit;
   logic [3:0] rows_q, rows, visits_q, visits;
   logic [2:0] col_q;
   logic [1:0] side_beats_q, side_beats;
-  assign row_real = sol ? is_real : real_q;
-  assign now  = valid && watch && !watched_q && row_real;
+  assign now  = valid && watch && !watched_q && in_row;
   assign rows = now ? 4'd0 : rows_q + 4'(sol && rows_q != 4'd15);
-  assign same = now || (watched_q && same_q && !(sol && (!is_real || sof)));
+  assign same = now || (watched_q && same_q && !(sol && (kind == 2'd0 || sof)));
   assign visit  = now || (watched_q && col == col_q);
   assign visits = now ? 4'd0 : visits_q + 4'(visit && visits_q != 4'd15);
   assign side_beats = visit && visits == 4'(SideRows) ? 2'd0
@@ -104,7 +112,7 @@ module line_window_properties #(
       side_beats_q <= 2'd3;
     end else if (valid) begin
       watched_q <= watched_q || now;
-      {real_q, same_q, rows_q, visits_q, side_beats_q} <= {row_real, same, rows, visits, side_beats};
+      {same_q, rows_q, visits_q, side_beats_q} <= {same, rows, visits, side_beats};
     end
     if (now) {data_q, side_q, col_q} <= {data, side, col};
   end

@@ -49,13 +49,13 @@ describe() {
       ;;
     row_slots)
       engine=induction
-      others="rtl/shift_fifo.sv tests/formal/slot_stream.sv"
+      others="rtl/shift_fifo.sv rtl/drain_count.sv tests/formal/slot_stream.sv"
       ;;
     credit) module=stream_fifo others=rtl/line_memory.sv ;;
-    slot_tracker) others=$slots ;;
+    slot_tracker) others="rtl/row_limit.sv $slots" ;;
     line_window*)
       module=line_window properties=line_window
-      others="rtl/line_memory.sv rtl/slot_tracker.sv $slots"
+      others="rtl/line_memory.sv rtl/row_limit.sv rtl/slot_tracker.sv $slots"
       case $1 in
         *_side) parameters="chparam -set SideRows 0 line_window_properties;" ;;
         *_11) parameters="chparam -set Rows 11 line_window_properties;" ;;

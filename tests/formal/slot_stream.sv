@@ -2,52 +2,64 @@
 //
 // What a stream of row slots (see slot_tracker) is, as a monitor.
 //
+//   width_i   the two widths, the first in the low bits
 //   ok_o      the beat at the input keeps the rules below
-//   width_o   width of the frame it belongs to; col_o its column (7 or more: 7)
-//   width_i   width of a frame that begins
+//   kind_o    of its row: 0 void, 1 of the first width, 2 of the second;  col_o its column (7 or more: 7)
+//   age_o     slots since the last row of each width, its own being 0 (most: Voids + 2), the first in the low bits
+//   may_change_o   the widths that may change with this clock
 //
-// The rules: a real row has as many beats as its frame's first. A frame begins with a row marked
-// sof, and its rows follow each other. A void row may have another length, and the frame behind it
-// another width, only when it and the Voids rows before it are void; a row of fewer than 3 beats
-// needs one more (the rows of the next stage begin at the third beat, so that stage never sees it).
+// The rules: a frame begins with a row marked first, and its rows follow each other. A slot has at least as
+// many beats as its row, and as each of the Voids rows before it; not more than MaxWidthPx (6 here). A width
+// may change, and a void slot be shorter or longer, only when no row of it, of any, is among the Voids before;
+// a slot of fewer than 3 beats needs one more (the slots of the next stage begin at the third beat, so that
+// stage never sees it).
 module slot_stream #(
     parameter int Voids = 4
 ) (
     input  logic       clk_i,
     input  logic       rst_ni,
-    input  logic [2:0] width_i,
+    input  logic [5:0] width_i,
     input  logic       valid_i,
     input  logic       sol_i,
     input  logic       sof_i,
     input  logic       real_i,
     output logic       ok_o,
-    output logic [2:0] width_o,
-    output logic [2:0] col_o
+    output logic [1:0] kind_o,
+    output logic [2:0] col_o,
+    output logic [7:0] age_o,
+    output logic [1:0] may_change_o
 );
-  localparam int VoidBits = $clog2(Voids + 3);
-  localparam logic [VoidBits-1:0] Enough = VoidBits'(Voids + 1), Most = VoidBits'(Voids + 2);
+  localparam logic [3:0] Enough = 4'(Voids + 1), Most = 4'(Voids + 2);
 
-  logic real_q;
-  logic [2:0] col_q, width_q;      // columns so far: 7 is many
-  logic [VoidBits-1:0] voids_q;    // void rows up to the current one
-  logic free;
+  logic [1:0] kind_q;
+  logic [2:0] col_q;  // columns so far: 7 is many
+  logic [7:0] age_q;
+  logic [1:0] free, follows;
   assign col_o = sol_i ? 3'd0 : col_q;
-  assign free = voids_q == Most || (voids_q == Enough && !(sol_i && col_q < 3'd3));
-  assign width_o = valid_i && sol_i && free ? width_i : width_q;
-  assign ok_o = !valid_i || (sol_i ? (col_q == width_q || free) && (!real_i || sof_i || real_q)
-                                   : col_q < width_q || free);
+  always_comb begin
+    kind_o = kind_q;
+    if (valid_i && sol_i) kind_o = sof_i ? {!real_i, real_i} : real_i ? kind_q : 2'd0;
+    age_o = age_q;
+    for (int t = 0; t < 2; t++) begin
+      free[t] = age_q[4*t+:4] == Most || (age_q[4*t+:4] == Enough && !(sol_i && col_q < 3'd3));
+      if (valid_i && sol_i) begin
+        age_o[4*t+:4] = kind_o[t] ? 4'd0 : age_q[4*t+:4] == Most ? Most : age_q[4*t+:4] + 4'd1;
+      end
+      follows[t] = free[t] || col_q >= width_i[3*t+:3];
+      may_change_o[t] = age_q[4*t+:4] == Most && age_o[4*t+:4] != 4'd0;
+    end
+  end
+  assign ok_o = !valid_i || (sol_i ? &follows && (sof_i || !real_i || kind_q != 2'd0)
+                                   : col_q < 3'd6 || &free);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {real_q, col_q} <= '0;
-      voids_q <= Most;
+      {kind_q, col_q} <= '0;
+      age_q <= {2{Most}};
     end else if (valid_i) begin
-      width_q <= width_o;
-      col_q   <= sol_i ? 3'd1 : col_q == 3'd7 ? 3'd7 : col_q + 3'd1;
-      if (sol_i) begin
-        real_q  <= real_i;
-        voids_q <= real_i ? '0 : voids_q == Most ? Most : voids_q + VoidBits'(1);
-      end
+      kind_q <= kind_o;
+      age_q  <= age_o;
+      col_q  <= sol_i ? 3'd1 : col_q == 3'd7 ? 3'd7 : col_q + 3'd1;
     end
   end
 endmodule

@@ -71,7 +71,8 @@ module waves_tb;
         line_last, guard_switch, guard_load, guard_idle, pixel_valid, pixel_first, pixel_step, pixel_commit;
   logic [1:0] line_fault;
   logic [7:0] pixel_data, events;
-  logic [2:0] before_last;
+  logic [5:0] before_last;
+  logic line_tag;
   frame_guard #(.MaxWidthPx(8), .MaxHeightPx(8)) i_guard (
       .clk_i(clk), .rst_ni(rst_n),
       .s_axis_tvalid_i(guard_tvalid), .s_axis_tready_o(guard_tready), .s_axis_tdata_i(8'(at)),
@@ -80,7 +81,7 @@ module waves_tb;
       .pixel_valid_o(pixel_valid), .pixel_o(pixel_data), .pixel_first_o(pixel_first),
       .pixel_step_o(pixel_step), .pixel_commit_o(pixel_commit), .ring_ready_i(1'b1), .line_valid_o(line_valid), .line_ready_i(1'b1), .line_whole_o(line_whole),
       .line_first_o(line_first), .line_last_o(line_last), .line_fault_o(line_fault),
-      .before_last_o(before_last), .settings_changed_i(1'b0), .switch_o(guard_switch), .drained_i(1'b1),
+      .line_tag_o(line_tag), .before_last_o(before_last), .width_free_i(1'b1), .settings_changed_i(1'b0), .switch_o(guard_switch), .drained_i(1'b1),
       .load_settings_o(guard_load), .idle_o(guard_idle), .event_o(events)
   );
   integer pixel = 0;  // of the list below; it stays while the guard makes it wait

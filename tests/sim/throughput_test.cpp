@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "sim/test_frames.hpp"
@@ -53,19 +54,42 @@ TEST_CASE("frames of one width and any heights go in back to back at one pixel p
   }
 }
 
-TEST_CASE("a frame of another width waits until the one before has drained: twelve lines of it") {
-  // The last line, and void rows until its frame's end has come out: two for each of gradient,
-  // first_contour, ridge, second_contour and the two windows of vertices, less the one that it ends in.
-  // The clocks: 96 beats for columns and arithmetic, and for guard and row_slots to see it and go on.
-  constexpr int kDrainLines = 12;
-  constexpr int kDrainClocks = 110;
+// Rows until a frame's end has come out: two for each of gradient, first_contour, ridge,
+// second_contour and the two windows of vertices; then 96 beats for columns and arithmetic.
+constexpr int kDrainRows = 12;
+constexpr int kDrainBeats = 96;
+/// For a new width to come in force.
+constexpr int kChangeClocks = 4;
+
+TEST_CASE("a wider frame goes in at once, a narrower one waits for the rest of the wide one") {
   const int from = GENERATE(5, 40, 300);
   const int to = GENERATE(7, 60, 299);
   CAPTURE(from, to);
-  for (const ViewStatistics& view : back_to_back({{from, 20}, {to, 20}}).views) {
-    CHECK(view.input_stalls <= kFirstLineStalls + kDrainLines * from + kDrainClocks);
-    // Not less than what is under way: should it ever be, the documents can promise more.
-    CHECK(view.input_stalls + to >= static_cast<std::uint64_t>(10 * from));
+  // Each of the rows that push the old frame out is as long as one of that frame.
+  const int rows = kDrainRows + kDrainBeats / from + 1;
+  const auto bound =
+      static_cast<std::uint64_t>(kFirstLineStalls + kChangeClocks + rows * std::max(0, from - to));
+  for (const ViewStatistics& view : back_to_back({{from, 40}, {to, 40}}).views) {
+    CHECK(view.input_stalls <= bound);
+  }
+}
+
+TEST_CASE("frames of ever wider lines go in without a pause") {
+  for (const ViewStatistics& view :
+       back_to_back({{5, 40}, {6, 40}, {40, 20}, {41, 20}, {300, 15}, {640, 6}}).views) {
+    CHECK(view.input_stalls <= kFirstLineStalls + 5 * kChangeClocks);
+  }
+}
+
+// Behind a frame of few rows void rows must push it out.
+TEST_CASE("a third width waits until the first has left, for a drain at most") {
+  const Size low = GENERATE(Size{40, 5}, Size{40, 11}, Size{300, 5});
+  CAPTURE(low.width, low.height);
+  constexpr int kFirst = 120, kThird = 200;
+  constexpr std::uint64_t kDrainClocks = kDrainRows * std::max(kFirst, 300) + kDrainBeats;
+  for (const ViewStatistics& view :
+       back_to_back({{kFirst, 20}, low, {kThird, 20}, low, {kFirst, 20}}).views) {
+    CHECK(view.input_stalls <= kFirstLineStalls + 4 * (kDrainClocks + kChangeClocks));
   }
 }
 
