@@ -59,12 +59,13 @@ Explanation explain(const std::vector<View>& views, const std::vector<Model>& li
   search.run();
 
   Explanation out;
-  for (int i : search.active()) out.objects.push_back(report(input, search, i, out.surfaces));
+  const std::vector<int> objects = search.objects();
+  for (int i : objects) out.objects.push_back(report(input, search, i, out.surfaces));
   std::stable_sort(
       out.objects.begin(), out.objects.end(),
       [](const RecognizedObject& a, const RecognizedObject& b) { return a.score > b.score; });
   for (int i = 0; i < static_cast<int>(search.candidates().size()); ++i) {
-    if (std::count(search.active().begin(), search.active().end(), i)) continue;
+    if (std::count(objects.begin(), objects.end(), i)) continue;
     out.rejections.push_back(report_rejection(input, search.candidates()[i]));
   }
   return out;

@@ -40,21 +40,25 @@ void look(const Camera& camera, const Model& model, const Transform& world_from_
   }
 }
 
-void append_line(const Camera& camera, const Seen& seen, int v0, int v1, int view,
-                 std::vector<GlancePoint>& out) {
+/// An image line and the depths of its ends, mm.
+struct Line {
+  Eigen::Vector2d x0, x1;
+  double depth0, depth1;
+};
+
+void append_line(const Camera& camera, const Line& line, int view, std::vector<GlancePoint>& out) {
   constexpr double kStepPx = 16;  // independent answers
-  const Eigen::Vector2d& a = seen.pixels[v0];
-  const Eigen::Vector2d along = seen.pixels[v1] - a;
+  const Eigen::Vector2d along = line.x1 - line.x0;
   const int count = static_cast<int>(along.norm() / kStepPx);
   const int bin = ContourField::bin_of(-along.y(), along.x());
   for (int i = 0; i < count; ++i) {
     const double s = (i + 0.5) / count;
-    const Eigen::Vector2d x = a + s * along;
+    const Eigen::Vector2d x = line.x0 + s * along;
     if (!(x.x() >= 0 && x.y() >= 0 && x.x() < camera.width_px && x.y() < camera.height_px))
       continue;
     out.push_back({static_cast<std::int16_t>(x.x()), static_cast<std::int16_t>(x.y()),
                    static_cast<std::uint8_t>(view), static_cast<std::uint8_t>(bin),
-                   static_cast<float>((1 - s) * seen.depths[v0] + s * seen.depths[v1])});
+                   static_cast<float>((1 - s) * line.depth0 + s * line.depth1)});
   }
 }
 
@@ -69,7 +73,23 @@ std::vector<GlancePoint> glance_points(const std::vector<FieldView>& views, cons
     for (const ModelEdge& edge : model.edges) {
       const bool left = seen.front[edge.left], right = seen.front[edge.right];
       if ((!left && !right) || (!edge.convex && left != right)) continue;
-      append_line(*views[v].camera, seen, edge.v0, edge.v1, static_cast<int>(v), out);
+      const Line line{seen.pixels[edge.v0], seen.pixels[edge.v1], seen.depths[edge.v0],
+                      seen.depths[edge.v1]};
+      append_line(*views[v].camera, line, static_cast<int>(v), out);
+    }
+  }
+  return out;
+}
+
+std::vector<GlancePoint> visible_glance_points(const std::vector<FieldView>& views,
+                                               const PlacedModel& placed) {
+  std::vector<GlancePoint> out;
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    const Camera& camera = *views[v].camera;
+    const auto depth = [&](const Eigen::Vector3d& x) { return (camera.camera_from_world * x).z(); };
+    for (const VisibleEdge& e : visible_edges(camera, {placed})) {
+      const Line line{e.x0, e.x1, depth(e.x0_in_world), depth(e.x1_in_world)};
+      append_line(camera, line, static_cast<int>(v), out);
     }
   }
   return out;

@@ -10,8 +10,7 @@
 
 namespace trihedron {
 
-/// A point that a pose predicts on the image of one of the model's possible edges: those that turn
-/// a surface to the camera, no hidden lines removed.
+/// A point that a pose predicts on the image of one of the model's edges.
 struct GlancePoint {
   std::int16_t x, y;  ///< px
   std::uint8_t view;
@@ -19,9 +18,13 @@ struct GlancePoint {
   float depth;       ///< camera z, mm
 };
 
-/// The points of a pose in all views, 16 px apart and inside the images.
+/// The points of a pose in all views, 16 px apart and inside the images, on the edges that turn a
+/// surface to the camera, no hidden lines removed.
 std::vector<GlancePoint> glance_points(const std::vector<FieldView>& views, const Model& model,
                                        const Transform& world_from_model);
+/// The same of the edges that can be seen, hidden lines removed.
+std::vector<GlancePoint> visible_glance_points(const std::vector<FieldView>& views,
+                                               const PlacedModel& placed);
 
 /// What known objects leave of a scene for others, per view.
 struct Remainder {

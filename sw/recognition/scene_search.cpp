@@ -55,7 +55,17 @@ bool SceneSearch::ask_for_more() {
 }
 
 PlacedModel SceneSearch::placed(int i) const {
+  const auto instead = instead_.find(i);
+  if (instead != instead_.end()) return instead->second;
   return {&input_.library[candidates_[i].model], candidates_[i].pose.world_from_model};
+}
+
+std::vector<int> SceneSearch::objects() const {
+  std::vector<int> out;
+  for (int i : active_) {
+    if (!instead_.count(i)) out.push_back(i);
+  }
+  return out;
 }
 
 bool SceneSearch::in_conflict(int a, int b) {
@@ -191,11 +201,18 @@ std::vector<PlacedModel> SceneSearch::context_of(int i, int& position) const {
   return out;
 }
 
+/// The scene in which candidate i is judged: what stands there, i among it; below 0: something
+/// that is not claimed.
+std::vector<int> SceneSearch::standing_with(int i) const {
+  std::vector<int> out;
+  for (int other : active_) out.push_back(instead_.count(other) ? -1 - other : other);
+  if (!std::count(active_.begin(), active_.end(), i)) out.push_back(i);
+  return out;
+}
+
 /// Refines and judges candidate i with the active ones before it, unless nothing changed.
 void SceneSearch::judge(int i) {
-  std::vector<int> neighbours;
-  for (int other : active_) neighbours.push_back(other);
-  if (!std::count(active_.begin(), active_.end(), i)) neighbours.push_back(i);
+  const std::vector<int> neighbours = standing_with(i);
   const auto last = judged_in_.find(i);
   if (last != judged_in_.end() && last->second == neighbours) return;
   judged_in_[i] = neighbours;

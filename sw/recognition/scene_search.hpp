@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <list>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,15 +33,22 @@ class SceneSearch {
 
   const std::vector<Candidate>& candidates() const { return candidates_; }
   /// The explanation: indices into candidates(), most evidence first.
-  const std::vector<int>& active() const { return active_; }
-  /// The best other candidate for an active one's place, -1: none.
-  int runner_up(int active) const;
-  /// The active objects as placed, candidate i among them, and its position there.
+  std::vector<int> objects() const;
+  /// The best other candidate for an object's place, -1: none.
+  int runner_up(int object) const;
+  /// All that stands in the scene as placed, candidate i among it, and its position there.
   std::vector<PlacedModel> context_of(int i, int& position) const;
 
  private:
+  /// Why a claim cannot be made, "": it can; and what may stand in its place instead.
+  struct Doubt {
+    std::string reason;
+    PlacedModel instead;
+  };
+
   PlacedModel placed(int i) const;
   const InnerPoints& inner(int model) const { return input_.facts.inner(model); }
+  std::vector<int> standing_with(int i) const;
   bool in_conflict(int a, int b);
   bool known(const Candidate& candidate) const;
   void reject(int i, const std::string& reason);
@@ -57,15 +66,17 @@ class SceneSearch {
   bool remove_worst();
   void revive(int i);
   void settle();
-  double at_a_glance(const Model& model, const Transform& pose) const;
+  double at_a_glance(const PlacedModel& object) const;
   void find_rivals(int winner);
   void add_turned(int winner);
-  bool explains_more(int winner, const Model& shape, const Transform& pose,
-                     const std::vector<double>& reaches_mm, double enough) const;
-  bool mirrored_as_good(int winner) const;
-  std::string similar_is_better(int winner) const;
+  std::optional<Transform> explains_more(int winner, const Model& shape, const Transform& pose,
+                                         const std::vector<double>& reaches_mm,
+                                         double enough) const;
+  Doubt mirrored_as_good(int winner) const;
+  Doubt similar_is_better(int winner);
   int best_rival(int winner);
-  std::string doubt_about(int winner);
+  Doubt doubt_about(int winner);
+  void withdraw(int i, const Doubt& doubt);
   void settle_rivals(int winner);
   bool is_rival(int i, int winner);
   void settle_rivals();
@@ -77,7 +88,11 @@ class SceneSearch {
   std::vector<RankedHypothesis> first_ranking_;  ///< by all contours
   std::vector<Candidate> candidates_;
   std::vector<char> dead_;
-  std::vector<int> active_;
+  std::vector<int> active_;  ///< what stands in the scene
+  /// Of active ones that are not claimed: what stands there. Whatever it is, it hides what lies
+  /// behind it and has its contours.
+  std::map<int, PlacedModel> instead_;
+  std::list<Model> shapes_;                    ///< of those that are in no library
   std::vector<char> tried_;                    ///< hypotheses
   std::map<int, std::vector<int>> judged_in_;  ///< the neighbours an object was last judged with
   std::map<int, int> runner_up_;

@@ -262,13 +262,19 @@ SimilarShapes similar_shapes(const std::vector<FieldView>& views,
   if (found.size() > kSimilarTried) found.resize(kSimilarTried);
   SimilarShapes out;
   out.log_choices = std::log(static_cast<double>(all.size()));
-  for (const Promise& p : found) out.placed.push_back(realize(placed, all[p.change], p.parameter));
+  for (const Promise& p : found) out.shapes.push_back(realize(placed, all[p.change], p.parameter));
+  return out;
+}
+
+SimilarShapes stretched_shapes(const PlacedModel& placed) {
+  SimilarShapes out;
   for (const Vector3d& axis : frame_axes(*placed.model)) {
     const Change change = stretch(*placed.model, axis, middle_along(*placed.model, axis));
     for (const double by : {kSimilarStretch, -kSimilarStretch}) {
-      out.near.push_back(realize(placed, change, by));
+      out.shapes.push_back(realize(placed, change, by));
     }
   }
+  out.log_choices = std::log(static_cast<double>(out.shapes.size()));
   return out;
 }
 

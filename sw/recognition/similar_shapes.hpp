@@ -18,10 +18,7 @@ struct SimilarShape {
 
 /// Shapes to hold a claim against.
 struct SimilarShapes {
-  /// Where the model stands, most promising first.
-  std::vector<SimilarShape> placed;
-  /// About there: their poses have to be found.
-  std::vector<SimilarShape> near;
+  std::vector<SimilarShape> shapes;
   /// log of the number of shapes they were chosen from: so much more must one of them explain.
   double log_choices = 0;
 };
@@ -31,12 +28,16 @@ inline constexpr int kSimilarTried = 3;
 inline constexpr double kSimilarStretch = 0.1;
 
 /// Shapes that contours beside the edges of `placed` speak for: the model stretched along an axis,
-/// or with one surface moved, by as much as some displaced piece of evidence asks for, at most
-/// kSimilarTried; and stretched by kSimilarStretch along each axis of its frame, whatever the
-/// pieces ask for. `chance` is each view's map of all contours.
+/// or with one surface moved, by as much as some displaced piece of evidence asks for, where the
+/// model stands; at most kSimilarTried, most promising first. `chance` is each view's map of all
+/// contours.
 SimilarShapes similar_shapes(const std::vector<FieldView>& views,
                              const std::vector<SpreadMap>& chance, const PlacedModel& placed,
                              const ObjectEvidence& evidence);
+
+/// The model stretched about its middle by kSimilarStretch, either way, along each axis of its
+/// frame, whatever the evidence asks for: where exactly such a shape stands has to be found.
+SimilarShapes stretched_shapes(const PlacedModel& placed);
 
 /// The model with its vertices moved: normals, offsets, centroids and lengths follow.
 Model reshaped(const Model& model, const std::vector<Eigen::Vector3d>& vertices);

@@ -204,6 +204,11 @@ PieceOdds piece_odds(const std::vector<SpreadMap>& chance, const PieceEvidence& 
 
 namespace {
 
+double log_of(const PieceEvidence& piece, const PieceOdds& odds) {
+  const double missed = 1 - piece.found - piece.weak;
+  return odds.answers * (piece.found * odds.hit + missed * odds.miss) + piece.weak * kLogWeak;
+}
+
 void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence,
                   double tests, Verdict& out) {
   double n = 0, p_sum = 0, found = 0;
@@ -212,9 +217,7 @@ void judge_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& ev
     n += odds.answers;
     p_sum += odds.answers * odds.chance;
     found += odds.answers * piece.found;
-    const double missed = 1 - piece.found - piece.weak;
-    out.log_against_chance +=
-        odds.answers * (piece.found * odds.hit + missed * odds.miss) + piece.weak * kLogWeak;
+    out.log_against_chance += log_of(piece, odds);
     out.visible_px += piece.length_px;
     out.found_share += piece.length_px * piece.found;
   }
@@ -246,6 +249,13 @@ std::string text(const char* format, double a, double b = 0) {
 }
 
 }  // namespace
+
+double log_against_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence) {
+  double sum = 0;
+  for (const PieceEvidence& piece : evidence.pieces)
+    sum += log_of(piece, piece_odds(chance, piece));
+  return sum;
+}
 
 Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>& chance,
                const std::vector<PlacedModel>& objects, int index, const ObjectEvidence& evidence,

@@ -41,6 +41,9 @@ struct PieceOdds {
 };
 PieceOdds piece_odds(const std::vector<SpreadMap>& chance, const PieceEvidence& piece);
 
+/// Log likelihood ratio of the evidence, object against chance.
+double log_against_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence);
+
 struct VerificationOptions {
   double tests = 1e4;  ///< poses that were in question
 };

@@ -158,6 +158,37 @@ TEST_CASE("objects that hide each other are all recognised") {
   CHECK(result.objects[0].model_id != result.objects[1].model_id);
 }
 
+TEST_CASE("an object that could be either of two is no answer, but hides what lies behind it") {
+  std::vector<Model> library = {rigs::block(60, 50, 40), rigs::l_bracket(),
+                                rigs::block(60, 50, 40)};
+  library[2].id = 3;
+  const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
+  const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
+  const auto views = rigs::views_of({{&library[0], front}, {&library[1], behind}});
+  const auto result =
+      explain(views, library,
+              {{1, nearby(behind), 4}, {0, nearby(front), 3}, {2, front, 2}, {1, behind, 1}});
+  REQUIRE(result.objects.size() == 1);
+  CHECK(result.objects[0].model_id == library[1].id);
+  CHECK(pose_distance(library[1], result.objects[0].world_from_model, behind) < 0.2);
+}
+
+TEST_CASE("two unknown objects, one in front of the other, do not vouch for each other") {
+  const Model bracket = rigs::l_bracket(), block = rigs::block(60, 50, 40);
+  const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
+  const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
+  const auto views = rigs::views_of({{&block, front}, {&bracket, behind}});
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector3d longer(1, 1, 1);
+    longer[axis] = 1.1;
+    const std::vector<Model> library = {scaled(block, longer), scaled(bracket, longer)};
+    INFO("longer along axis " << axis);
+    CHECK(explain(views, library,
+                  {{1, nearby(behind), 3}, {0, nearby(front), 2}, {1, behind, 1}, {0, front, 1}})
+              .objects.empty());
+  }
+}
+
 TEST_CASE("an empty scene has no objects") {
   const std::vector<Model> library = {rigs::block(60, 50, 40)};
   const auto result = explain(rigs::views_of({}), library, {{0, kPose, 1}});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "recognition/rigs.hpp"
 
@@ -72,17 +73,32 @@ TEST_CASE("where a longer object stands, the model made longer is what its edges
   // Its far end, 3 mm beyond the middle's, lies where the object's is; the near end is 6 mm short.
   const Transform at_end = kPose * rigs::pose({0, 0, 0}, {3, 0, 0});
   const SimilarShapes similar = seen.similar_to({&model, at_end});
-  REQUIRE_FALSE(similar.placed.empty());
-  REQUIRE(similar.placed.size() <= kSimilarTried);
+  REQUIRE_FALSE(similar.shapes.empty());
+  REQUIRE(similar.shapes.size() <= kSimilarTried);
   constexpr double kContourMm = 1.0;  // displaced contours are whole pixels of 0.5 mm
-  CHECK(vertex_error(similar.placed[0], truth) < kContourMm);
-  CHECK(similar.near.size() == 6);  // longer or shorter along each axis
+  CHECK(vertex_error(similar.shapes[0], truth) < kContourMm);
   CHECK(similar.log_choices > 0);
 }
 
 TEST_CASE("an object that is what its model says has nothing like it") {
   const Model truth = rigs::l_bracket();
   const SimilarShapes similar = Seen(truth, kPose).similar_to({&truth, kPose});
-  CHECK(similar.placed.empty());
-  CHECK(similar.near.empty());
+  CHECK(similar.shapes.empty());
+}
+
+TEST_CASE("a model is stretched both ways along each axis of its frame, about its middle") {
+  const Model model = rigs::block(60, 50, 40);
+  const SimilarShapes stretched = stretched_shapes({&model, kPose});
+  REQUIRE(stretched.shapes.size() == 6);
+  CHECK(stretched.log_choices == Approx(std::log(6)));
+  for (const SimilarShape& shape : stretched.shapes) {
+    Vector3d low = shape.model.mesh.vertices[0], high = low;
+    for (const Vector3d& v : shape.model.mesh.vertices) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    }
+    CHECK((low + high).norm() < 1e-9);
+    const Vector3d ratio = (high - low).cwiseQuotient(Vector3d(60, 50, 40));
+    CHECK(std::abs(ratio.sum() - 3) == Approx(kSimilarStretch));
+  }
 }
