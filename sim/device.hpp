@@ -42,13 +42,9 @@ class Device {
 
  public:
   /// A device in the state before reset; writes every clock to `trace_file` unless empty, and the
-  /// coverage of all devices of this process to `coverage_file`. `plusargs` are Verilog's.
-  explicit Device(const std::string& trace_file, const std::string& coverage_file = "",
-                  const std::vector<std::string>& plusargs = {})
+  /// coverage of all devices of this process to `coverage_file`.
+  explicit Device(const std::string& trace_file, const std::string& coverage_file = "")
       : coverage_file_(coverage_file) {
-    std::vector<const char*> arguments;
-    for (const std::string& plusarg : plusargs) arguments.push_back(plusarg.c_str());
-    context_.commandArgs(static_cast<int>(arguments.size()), arguments.data());
     context_.traceEverOn(!trace_file.empty());
     context_.fatalOnError(false);  // a failed assertion is the caller's to report
     top_ = std::make_unique<Vtrihedron_top>(&context_, "trihedron_top");

@@ -26,7 +26,7 @@ std::uint64_t agent_seed(std::uint64_t seed, int agent) {
 
 struct PinBench::Pins {
   explicit Pins(const RunOptions& options)
-      : device(options.trace_file, options.code_coverage_file, options.plusargs),
+      : device(options.trace_file, options.code_coverage_file),
         drivers{driver(options, 0), driver(options, 1), driver(options, 2)},
         monitors{monitor(options, 0), monitor(options, 1), monitor(options, 2)},
         vertex_monitor(options.vertex_stalls, agent_seed(options.seed, 32)),

@@ -56,7 +56,6 @@ struct RunOptions {
   /// Verilator's line and toggle counts of all runs of this process so far; needs a build with
   /// TRIHEDRON_RTL_COVERAGE.
   std::string code_coverage_file;
-  std::vector<std::string> plusargs;  ///< Verilog's, "+name=value"
 };
 
 /// One frame as it left the hardware.

@@ -28,7 +28,7 @@ struct Arguments {
   int jobs = 1;
   std::string junit, trace, coverage, code_coverage;
   std::uint64_t trace_clocks = kTraceClocks;
-  std::vector<std::string> pictures, plusargs;
+  std::vector<std::string> pictures;
   ShardArguments shard;
   bool spoil = false, json = false, quiet = false;
 };
@@ -56,9 +56,6 @@ CaseOutcome run_one(std::uint64_t seed, const Arguments& arguments,
   if (arguments.spoil) {
     regression_case.options.expected_thresholds = golden::FrontEndConfig{};
     regression_case.options.expected_thresholds->first_contour.noise_floor = 511;
-  }
-  for (const std::string& plusarg : arguments.plusargs) {
-    regression_case.options.plusargs.push_back("+" + plusarg);
   }
   if (!arguments.code_coverage.empty()) {
     regression_case.options.code_coverage_file =
@@ -98,7 +95,6 @@ std::vector<sim::GreyImage> read_pictures(const std::vector<std::string>& inputs
 std::string repeat_command(const CaseOutcome& outcome, const Arguments& arguments) {
   std::string command = fmt::format("trihedron verify --seed {} --frames 1", outcome.seed);
   for (const std::string& picture : arguments.pictures) command += " --pictures " + picture;
-  for (const std::string& plusarg : arguments.plusargs) command += " --plusarg " + plusarg;
   return command + (arguments.spoil ? " --spoil" : "") + " --trace difference.fst";
 }
 
@@ -207,8 +203,6 @@ void add_verify(CLI::App& program, int& exit_code) {
       ->add_option("--code-coverage", arguments->code_coverage,
                    "Write Verilator's coverage data; needs the preset rtl-coverage")
       ->type_name("DIR");
-  command->add_option("--plusarg", arguments->plusargs, "Verilog plusarg of the design")
-      ->type_name("NAME=VALUE");
   command->add_flag("--json", arguments->json, "Print the verdict as JSON");
   command->add_flag("--quiet", arguments->quiet, "Print differences only");
   arguments->shard.add_to(*command);

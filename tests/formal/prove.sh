@@ -3,9 +3,14 @@
 # Proves the properties of this folder for all time, then breaks the RTL on purpose, once per line of
 # breaks.txt, and requires a counterexample each time.
 # usage: prove.sh [--quick] [PROOF ...]     --quick leaves out what takes longer than some seconds
+#        prove.sh --mutant COMMANDS PROOF   whether Yosys's COMMANDS, given each module as it was read,
+#                                           make a counterexample
 set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
+mutate=
+far=300
+[ "${1:-}" = --mutant ] && { mutate="$2;"; far=20; shift 2; }
 trap 'rm -rf "$work"' EXIT
 status=0
 slots="tests/formal/slot_stream.sv tests/formal/assumed_slots.sv"  # streams of row slots at an input
@@ -78,8 +83,8 @@ describe() {
 
 # Asserts hold where they are written, not one clock later (chformal), so that they help each other.
 elaborate() {
-  echo "read_verilog -formal -sv $others $1 tests/formal/$top.sv
-    $parameters hierarchy -check -top $top; proc; $cut flatten; chformal -early
+  printf "%s\n" "read_verilog -formal -sv $others $1 tests/formal/$top.sv
+    $parameters hierarchy -check -top $top; proc; $mutate $cut flatten; chformal -early
     memory -nomap; memory_map -formal; opt; async2sync"
 }
 
@@ -106,7 +111,7 @@ proved() {
 # refuted FILE: true when there is a counterexample, near (BMC) or far (PDR).
 refuted() {
   aiger "$1"
-  for search in "bmc3 -F 100 -T 20" "pdr -T 300"; do
+  for search in "bmc3 -F 100 -T 20" "pdr -T $far"; do
     yosys-abc -q "read_aiger $work/$top.aig; fold; strash; scorr; orpos; $search" 2>&1 |
       grep -q "was asserted" && return 0
   done
@@ -122,6 +127,11 @@ in_place_of() {
 for proof in ${*:-$all}; do
   describe "$proof"
   [ -f "tests/formal/$top.sv" ] || { echo "$proof: no such proof; there are: $all"; exit 2; }
+  if [ -n "$mutate" ]; then
+    refuted "rtl/$module.sv" && { echo "$proof: refuted"; exit 0; }
+    echo "$proof: no counterexample"
+    exit 1
+  fi
   if proved "rtl/$module.sv"; then
     echo "$proof: proved"
   else

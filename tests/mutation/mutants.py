@@ -4,7 +4,8 @@
 
 Yosys chooses the mutants (an inverted, constant or copied bit at an input or output of a cell), spread
 over all modules and their source lines, and puts each behind a comparison with a number. The number
-comes from the plusarg +mutant=N, so one Verilated build serves all mutants; 0 is the RTL as it is.
+comes from the environment variable TRIHEDRON_MUTANT, so one Verilated build serves all mutants and every
+program that simulates; 0 and no variable are the RTL as it is.
 Assertions are left out: mutants are to be found at the ports.
 """
 
@@ -14,9 +15,13 @@ import pathlib
 import re
 import subprocess
 
+import netlist
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SELECT = "mutant_selected"
 BITS = 12
+VARIABLE = r'std::getenv(\"TRIHEDRON_MUTANT\")'
+FROM_ENVIRONMENT = f"({VARIABLE} ? std::atoi({VARIABLE}) : 0)"
 # Mutants of a module: one for so many cells, within these bounds.
 CELLS_PER_MUTANT, FEWEST, MOST = 9, 6, 26
 # Clocks are no data; a mutated one is another design style, not another design.
@@ -30,12 +35,6 @@ def yosys(script, out):
         raise SystemExit(f"yosys failed, see {out / 'yosys.log'}: {run.stderr.strip()}")
 
 
-def base_name(module):
-    """frame_guard of $paramod$<hash>\\frame_guard and $paramod\\frame_guard\\Width=..."""
-    parts = [p for p in module.split("\\") if p and not p.startswith("$paramod")]
-    return parts[0]
-
-
 def elaborate(rtl, out):
     package = rtl / "trihedron_registers.sv"
     others = " ".join(str(f) for f in sorted(rtl.glob("*.sv")) if f != package)
@@ -46,7 +45,7 @@ def elaborate(rtl, out):
     largest = {}  # one elaboration of each module
     statistics = (out / "stat.txt").read_text().split("=== design hierarchy ===")[0]
     for name, cells in re.findall(r"=== (\S+) ===.*?Number of cells: +(\d+)", statistics, re.S):
-        base, cells = base_name(name), int(cells)
+        base, cells = netlist.base_name(name), int(cells)
         if base not in largest or cells > largest[base][1]:
             largest[base] = (name, cells)
     return largest
@@ -82,7 +81,7 @@ def escaped(name):
 
 
 def install_select(verilog):
-    """Turns the selecting port that Yosys gave the top into a variable that a plusarg sets."""
+    """Turns the selecting port that Yosys gave the top into a variable that the environment sets."""
     start = verilog.index("module trihedron_top(")
     inside, top = verilog[:start], verilog[start:]
     top = top.replace(f", {SELECT})", ")", 1).replace(f", {SELECT},", ",", 1)
@@ -91,7 +90,7 @@ def install_select(verilog):
         raise SystemExit("the top's selecting port was not found in Yosys's Verilog")
     return inside + top.replace(
         port, f"  reg [{BITS - 1}:0] {SELECT};\n"
-        f"  initial if (!$value$plusargs(\"mutant=%d\", {SELECT})) {SELECT} = 0;\n", 1)
+        f"  initial {SELECT} = $c32(\"{FROM_ENVIRONMENT}\");\n", 1)
 
 
 def main():

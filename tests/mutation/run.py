@@ -1,114 +1,122 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the regression on every mutant and writes who was killed by what: results.json and a Markdown
-table per module. A mutant that survives the first stage meets the longer second one; of one that
-survives both, equivalence.py tries to prove that it is the same design. What is neither must stand in
-equivalent.txt. Exit code 1 when others are left."""
+"""Looks for what kills each mutant, cheapest first: some frames of the regression, the directed tests, the
+proofs, more frames; before the proofs equivalence.py tries to prove that it is the same design. What is
+left must stand in equivalent.txt. Writes results.jsonl, mutant by mutant, and a Markdown table per module;
+exit code 1 when others are left. Interrupted, it goes on with --continue."""
 
 import argparse
 import collections
 import concurrent.futures
+import functools
 import json
 import os
 import pathlib
-import re
-import subprocess
+import threading
 
 import equivalence
+import killers
+import proofs
+import rtl_place
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-TIMEOUT_S = 1800
+SAME = "same design"
 
 
-def verify(program, mutant, frames, seed):
-    """(killed, by what) of one run of the regression."""
-    command = [program, "verify", "--frames", str(frames), "--seed", str(seed),
-               "--plusarg", f"mutant={mutant}"]
-    try:
-        run = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT_S)
-    except subprocess.TimeoutExpired:
-        return True, "hangs the simulation"
-    if run.returncode == 0:
-        return False, ""
-    stage = re.search(r"FAILED: (.*?) differs: seed (\d+)", run.stdout)
-    if stage:
-        return True, re.sub(r"^(register \w+).*", r"\1", stage[1])
-    return True, f"simulation ends with code {run.returncode}"
+def judge(mutant, stages):
+    """The first stage that kills it or finds it to be the same design decides."""
+    for name, ask in stages:
+        if how := ask(mutant):
+            return {**mutant, "stage": name, "by": how}
+    return {**mutant, "stage": "", "by": ""}
 
 
-def judge(folder, program, mutant, stages, prove):
-    for seed, frames in stages:
-        killed, how = verify(program, mutant["id"], frames, seed)
-        if killed:
-            return {**mutant, "killed": True, "by": how, "seed": seed}
-    return {**mutant, "killed": False,
-            "same": equivalence.proved(folder, mutant) if prove else ""}
+def judge_all(mutants, stages, jobs, path, resume):
+    """Results in the order of `mutants`; each is in the file as soon as it is known."""
+    known = {}
+    if resume and path.exists():
+        known = {r["id"]: r for r in map(json.loads, path.read_text().splitlines())}
+    lock = threading.Lock()
+    with path.open("a" if resume else "w") as file, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        def one(mutant):
+            if mutant["id"] in known:
+                return known[mutant["id"]]
+            result = judge(mutant, stages)
+            with lock:
+                file.write(json.dumps(result) + "\n")
+                file.flush()
+            return result
+        return list(pool.map(one, mutants))
 
 
-def table(results, explained):
-    modules = collections.defaultdict(list)
+def state(result, explained):
+    """What the table counts a mutant as."""
+    return result["stage"] or (SAME if rtl_place.key(result) in explained else "open")
+
+
+def table(results, names, explained):
+    counts = collections.defaultdict(collections.Counter)
     for result in results:
-        modules[result["module"]].append(result)
-    lines = ["| module | mutants | killed | equivalent | open |", "|---|---|---|---|---|"]
-    total = [0, 0, 0, 0]
-    for module, mutants in sorted(modules.items()):
-        killed = sum(m["killed"] for m in mutants)
-        equivalent = sum(is_equivalent(m, explained) for m in mutants)
-        row = [len(mutants), killed, equivalent, len(mutants) - killed - equivalent]
-        total = [a + b for a, b in zip(total, row)]
-        lines.append(f"| `{module}` | " + " | ".join(map(str, row)) + " |")
-    lines.append("| **all** | " + " | ".join(f"**{n}**" for n in total) + " |")
+        for module in (result["module"], "**all**"):
+            counts[module][state(result, explained)] += 1
+    columns = [*(name for name in names if name != SAME), SAME, "open"]
+    lines = ["| module | mutants | " + " | ".join(columns) + " |", "|---" * (len(columns) + 2) + "|"]
+    for module in [*sorted(m for m in counts if m[0] != "*"), "**all**"]:
+        count = counts[module]
+        row = [sum(count.values()), *(count[column] for column in columns)]
+        lines.append(f"| {module if module[0] == '*' else f'`{module}`'} | " + " | ".join(map(str, row)) + " |")
     return "\n".join(lines) + "\n"
 
 
-def is_equivalent(mutant, explained):
-    return not mutant["killed"] and bool(mutant["same"] or key(mutant) in explained)
-
-
-def key(mutant):
-    """What a line of equivalent.txt names: module, source place, cell port and bit, kind of change."""
-    return " ".join([mutant["module"], mutant["sources"][-1] if mutant["sources"] else "-",
-                     f"{mutant['port']}[{mutant['bit']}]", mutant["mode"]])
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=pathlib.Path, help="of mutants.py")
+    parser.add_argument("build", type=pathlib.Path, help="of CMake, with the mutated device")
+    parser.add_argument("--frames", type=int, default=60, help="first, seeds from 1")
+    parser.add_argument("--more-frames", type=int, default=600, help="of survivors, seeds from 100001")
+    parser.add_argument("--every", type=int, default=1, help="take each N-th mutant only")
+    parser.add_argument("--only", type=int, nargs="+", help="take the mutants of these numbers only")
+    parser.add_argument("--continue", dest="resume", action="store_true",
+                        help="keep what results.jsonl says already")
+    parser.add_argument("--no-proofs", action="store_true", help="simulate only")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    return parser.parse_args()
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("build", type=pathlib.Path, help="folder of mutants.json and build/")
-    parser.add_argument("--frames", type=int, default=150, help="of the first stage")
-    parser.add_argument("--more-frames", type=int, default=1200, help="of the second stage, other seeds")
-    parser.add_argument("--every", type=int, default=1, help="take each N-th mutant only")
-    parser.add_argument("--module", action="append", help="take this module's mutants only")
-    parser.add_argument("--no-proofs", action="store_true", help="take no survivor for the same design")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    arguments = parser.parse_args()
-    program = arguments.build / "build/sw/cli/trihedron"
-    mutants = json.loads((arguments.build / "mutants.json").read_text())[::arguments.every]
-    if arguments.module:
-        mutants = [m for m in mutants if m["module"] in arguments.module]
-    if verify(program, 0, 60, 1)[0]:
-        raise SystemExit("the design without a mutant already differs from the golden model")
-    stages = [(1, arguments.frames)]
-    if arguments.more_frames > 0:
-        stages.append((100001, arguments.more_frames))
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        prove = not arguments.no_proofs
-        results = list(pool.map(lambda m: judge(arguments.build, program, m, stages, prove), mutants))
-    text = (ROOT / "tests/mutation/equivalent.txt").read_text().splitlines()
-    explained = {line.split(":")[0] for line in text if line and not line.startswith("#")}
-    (arguments.build / "results.json").write_text(json.dumps(results, indent=1) + "\n")
-    report = table(results, explained)
-    (arguments.build / "results.md").write_text(report)
+    arguments = parse()
+    mutants = json.loads((arguments.folder / "mutants.json").read_text())[::arguments.every]
+    if arguments.only:
+        mutants = [m for m in mutants if m["id"] in arguments.only]
+    stages = [("frames", killers.regression(arguments.build, arguments.frames, 1)),
+              ("tests", killers.tests(arguments.build))]
+    for name, kill in stages:
+        if how := kill({"id": 0}):
+            raise SystemExit(f"the design without a mutant already fails in {name}: {how}")
+    if not arguments.no_proofs:
+        stages += [(SAME, functools.partial(equivalence.proved, arguments.folder)),
+                   ("proofs", functools.partial(proofs.broken, arguments.folder))]
+    stages.append(("more frames", killers.regression(arguments.build, arguments.more_frames, 100001)))
+    results = judge_all(mutants, stages, arguments.jobs, arguments.folder / "results.jsonl", arguments.resume)
+    explained = rtl_place.read_list(ROOT / "tests/mutation/equivalent.txt")
+    report = table(results, [name for name, _ in stages], explained)
+    (arguments.folder / "results.md").write_text(report)
     print(report)
-    survivors = [r for r in results if not r["killed"]]
-    for survivor in survivors:
-        note = (f"the same {survivor['same']}" if survivor["same"] else
-                "equivalent" if key(survivor) in explained else "SURVIVES")
-        print(f"{note}: mutant {survivor['id']}: {key(survivor)}  ({', '.join(survivor['sources'])})")
-    killed = len(results) - len(survivors)
-    different = len(results) - sum(is_equivalent(s, explained) for s in survivors)
+    raise SystemExit(conclude(results, explained))
+
+
+def conclude(results, explained):
+    """Prints the survivors and the closing line; the exit code."""
+    for result in results:
+        if state(result, explained) in (SAME, "open"):
+            reason = f"the same {result['by']}" if result["stage"] else explained.get(rtl_place.key(result), "OPEN")
+            print(f"mutant {result['id']}: {rtl_place.key(result)}: {reason}")
+    count = collections.Counter(state(result, explained) for result in results)
+    different = len(results) - count[SAME]
+    killed = different - count["open"]
     print(f"{killed} of {different} mutants that differ are killed ({100 * killed / different:.1f} %); "
-          f"{len(results) - different} are the same design")
-    raise SystemExit(0 if killed == different else 1)
+          f"{count[SAME]} are the same design")
+    return 0 if killed == different else 1
 
 
 if __name__ == "__main__":

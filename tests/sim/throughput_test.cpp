@@ -101,3 +101,36 @@ TEST_CASE("a contour beat leaves at most ten lines and 64 clocks after its pixel
     CHECK(view.latency_clocks <= static_cast<std::uint64_t>(10 * size.width + 64));
   }
 }
+
+TEST_CASE("a receiver that stops until every pixel that can wait does loses none") {
+  // Longer than the ring of pixels, 2048, and the pipeline's own rows can go on taking pixels.
+  const StallProfile stops{0.0004, 6000};
+  const Size size = GENERATE(Size{5, 700}, Size{61, 60}, Size{1918, 7});
+  CAPTURE(size.width);
+  RunOptions options;
+  options.check = true;
+  options.contour_stalls = options.vertex_stalls = stops;
+  const std::vector<SourceFrame> frames(2, frame_of(polygons(size.width, size.height, 6)));
+  const Report report = Simulator::instance().run(options, for_all_views(frames), nullptr);
+  INFO((report.mismatch ? report.mismatch->text() : ""));
+  REQUIRE(report.passed());
+  for (const ViewStatistics& view : report.views) CHECK(view.input_stalls > 500);
+}
+
+TEST_CASE("the last frame of known height is drained once 16 clocks have brought nothing") {
+  const auto clocks_until_out = [](int frame_height, int flush_timeout) {
+    RunOptions options;
+    options.check = true;
+    options.frame_height = frame_height;
+    options.flush_timeout = flush_timeout;
+    std::uint64_t clocks = 0;
+    const Report report =
+        Simulator::instance().run(options, for_all_views({frame_of(polygons(16, 12, 5))}),
+                                  [&](FrameResult&& frame) { clocks = frame.clocks; });
+    REQUIRE(report.passed());
+    return clocks;
+  };
+  // An end by time-out has to be announced first.
+  constexpr std::uint64_t kAnnouncedClocks = 3;
+  CHECK(clocks_until_out(0, 100) - clocks_until_out(12, 100) == 100 + kAnnouncedClocks - 16);
+}
