@@ -12,23 +12,24 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Where the lens moves the ideal point `x` (normalised image plane), and the derivative of
-/// that: the Brown-Conrady model in OpenCV's order k1 k2 p1 p2 k3.
-struct Distorted {
-  Vector2d point;
-  Matrix2d jacobian;
-};
+/// Where the lens moves the ideal point `p` (normalised image plane): the Brown-Conrady model in
+/// OpenCV's order k1 k2 p1 p2 k3.
+Vector2d distorted(const std::array<double, 5>& d, const Vector2d& p) {
+  const double x = p.x(), y = p.y(), r2 = x * x + y * y;
+  const double radial = 1 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
+  return {x * radial + 2 * d[2] * x * y + d[3] * (r2 + 2 * x * x),
+          y * radial + d[2] * (r2 + 2 * y * y) + 2 * d[3] * x * y};
+}
 
-Distorted distort(const std::array<double, 5>& d, const Vector2d& p) {
+/// Its derivative by the ideal point.
+Matrix2d distortion_jacobian(const std::array<double, 5>& d, const Vector2d& p) {
   const double k1 = d[0], k2 = d[1], p1 = d[2], p2 = d[3], k3 = d[4];
   const double x = p.x(), y = p.y(), r2 = x * x + y * y;
   const double radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
   const double slope = 2 * (k1 + r2 * (2 * k2 + r2 * 3 * k3));  // d radial / dx = slope * x
-  Distorted out;
-  out.point = {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x),
-               y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
   const double mixed = slope * x * y + 2 * p1 * x + 2 * p2 * y;
-  out.jacobian << radial + slope * x * x + 2 * p1 * y + 6 * p2 * x, mixed,  //
+  Matrix2d out;
+  out << radial + slope * x * x + 2 * p1 * y + 6 * p2 * x, mixed,  //
       mixed, radial + slope * y * y + 6 * p1 * y + 2 * p2 * x;
   return out;
 }
@@ -55,8 +56,7 @@ Vector2d invert_distortion(const std::array<double, 5>& d, const Vector2d& targe
   constexpr double kConverged = 1e-12;  // far below a millionth of a pixel
   Vector2d p = target;
   for (int i = 0; i < kMaxSteps; ++i) {
-    const Distorted now = distort(d, p);
-    const Vector2d step = now.jacobian.inverse() * (target - now.point);
+    const Vector2d step = distortion_jacobian(d, p).inverse() * (target - distorted(d, p));
     if (!step.allFinite()) break;
     p += step;
     if (step.norm() < kConverged) break;
@@ -70,7 +70,7 @@ Vector2d Camera::project_camera(const Vector3d& x_in_camera) const {
   if (projection == Projection::kOrthographic)
     return px_per_mm * x_in_camera.head<2>() + K.topRightCorner<2, 1>();
   const Vector2d ideal = x_in_camera.head<2>() / x_in_camera.z();
-  return to_pixel(K, has_distortion(*this) ? distort(distortion, ideal).point : ideal);
+  return to_pixel(K, distorted(distortion, ideal));
 }
 
 Vector2d Camera::project(const Vector3d& x_in_world) const {
@@ -100,7 +100,8 @@ Eigen::Matrix<double, 2, 3> Camera::projection_jacobian(const Vector3d& x_in_wor
     const Vector3d x = camera_from_world * x_in_world;
     const Vector2d p = x.head<2>() / x.z();
     in_camera << 1 / x.z(), 0, -p.x() / x.z(), 0, 1 / x.z(), -p.y() / x.z();
-    if (has_distortion(*this)) in_camera = distort(distortion, p).jacobian.lazyProduct(in_camera).eval();
+    if (has_distortion(*this))
+      in_camera = distortion_jacobian(distortion, p).lazyProduct(in_camera).eval();
     in_camera.row(0) = K(0, 0) * in_camera.row(0) + K(0, 1) * in_camera.row(1);
     in_camera.row(1) *= K(1, 1);
   }

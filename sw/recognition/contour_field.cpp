@@ -15,11 +15,14 @@ constexpr double kRoundingNoise = 0.29 * 1.075;
 constexpr double kMedianOfNormal = 0.6745;
 /// Half width of the bell that weights a profile, px: covers a blurred edge's gradient (the
 /// derivative's own 2 px and a blur of about 1 px) and leaves out lines 4 px away.
-constexpr double kBellPx = 3.0;
+constexpr float kBellPx = 3;
+
+/// An edge's centre is followed so far, px.
+constexpr float kMostOffsetPx = 2;
 
 /// Smooth, symmetric, 0 from kBellPx on.
-double bell(double u) {
-  const double v = 1 - u * u * (1 / (kBellPx * kBellPx));
+float bell(float u) {
+  const float v = 1 - u * u * (1 / (kBellPx * kBellPx));
   return v > 0 ? v * v : 0;
 }
 
@@ -88,29 +91,37 @@ void ContourField::build_bins(const ViewFeatures& features) {
   }
 }
 
+/// A walk in whole steps along the normal's longer component visits every row (or column) once and
+/// looks at two neighbours in it, so that it cannot slip through a one-pixel-wide contour.
 template <typename Visit>
 void ContourField::walk(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
                         Visit visit) const {
   const int bin = bin_of(normal.x(), normal.y());
-  const auto accepted = static_cast<std::uint8_t>((1U << bin) | (1U << ((bin + 1) % kBins)) |
-                                                  (1U << ((bin + kBins - 1) % kBins)));
-  // A walk in whole steps along the longer component visits every row (or column) once and
-  // looks at two neighbours in it, so that it cannot slip through a one-pixel-wide contour.
+  const unsigned accepted =
+      1U << bin | 1U << ((bin + 1) % kBins) | 1U << ((bin + kBins - 1) % kBins);
   const bool along_x = std::abs(normal.x()) >= std::abs(normal.y());
-  const double longer = along_x ? normal.x() : normal.y();
-  const Eigen::Vector2d step = normal / std::abs(longer);
+  // "long" and "side": the coordinates along the longer component of the normal and the other one.
+  const int side_axis = along_x ? 1 : 0;
+  const double longer = normal[1 - side_axis], per_px = 1 / std::abs(longer);
+  const double side_step = normal[side_axis] * per_px;
+  const int long_step = longer > 0 ? 1 : -1;
+  const int long_start = static_cast<int>(std::floor(x[1 - side_axis] + 0.5));
+  const int long_end = (along_x ? width_ : height_) - 1;
+  const double side_end = (along_x ? height_ : width_) - 1;
+  const int long_stride = along_x ? 1 : width_, side_stride = along_x ? width_ : 1;
   const int steps = static_cast<int>(reach_px * std::abs(longer));
   for (int i = 0; i <= 2 * steps; ++i) {
     const int k = (i & 1) ? (i + 1) / 2 : -i / 2;
-    const Eigen::Vector2d p = x + k * step;
-    const int px = static_cast<int>(std::floor(along_x ? p.x() + 0.5 : p.x()));
-    const int py = static_cast<int>(std::floor(along_x ? p.y() : p.y() + 0.5));
-    if (px < 0 || py < 0 || px + 1 >= width_ || py + 1 >= height_) continue;
-    const std::uint8_t here = directions(px, py) & accepted;
-    const std::uint8_t beside = directions(px + !along_x, py + along_x) & accepted;
-    if (!here && !beside) continue;
-    const Eigen::Vector2d hit(here ? px : px + !along_x, here ? py : py + along_x);
-    if (!visit(normal.dot(hit - x))) return;
+    const int at_long = long_start + k * long_step;
+    const double at_side = x[side_axis] + k * side_step;
+    if (at_long < 0 || at_long >= long_end || !(at_side >= 0 && at_side < side_end)) continue;
+    const int first = static_cast<int>(at_side);
+    const std::uint8_t* place = bins_.data() + at_long * long_stride + first * side_stride;
+    const bool here = (place[0] & accepted) != 0;
+    if (!here && !(place[side_stride] & accepted)) continue;
+    const double d = longer * (at_long - x[1 - side_axis]) +
+                     normal[side_axis] * (first + (here ? 0 : 1) - x[side_axis]);
+    if (!visit(d)) return;
   }
 }
 
@@ -133,57 +144,71 @@ void ContourField::contours_across(const Eigen::Vector2d& x, const Eigen::Vector
   });
 }
 
-Eigen::Vector2d ContourField::gradient(const Eigen::Vector2d& x) const {
-  const int ix = static_cast<int>(x.x()), iy = static_cast<int>(x.y());
-  const double fx = x.x() - ix, fy = x.y() - iy;
-  const ContourBeat* a = &features_->contour[static_cast<std::size_t>(iy) * width_ + ix];
-  const ContourBeat* b = a + width_;
-  const double w00 = (1 - fx) * (1 - fy), w10 = fx * (1 - fy), w01 = (1 - fx) * fy, w11 = fx * fy;
-  return {w00 * a[0].gx + w10 * a[1].gx + w01 * b[0].gx + w11 * b[1].gx,
-          w00 * a[0].gy + w10 * a[1].gy + w01 * b[0].gy + w11 * b[1].gy};
+void ContourField::gradients_along(const Eigen::Vector2d& x, const Eigen::Vector2d& normal,
+                                   int first, int last, float* out) const {
+  const auto nx = static_cast<float>(normal.x()), ny = static_cast<float>(normal.y());
+  const auto along = [&](const ContourBeat& beat) {
+    return nx * static_cast<float>(beat.gx) + ny * static_cast<float>(beat.gy);
+  };
+  for (int i = first; i <= last; ++i) {
+    const double px = x.x() + i * normal.x(), py = x.y() + i * normal.y();
+    const int ix = static_cast<int>(px), iy = static_cast<int>(py);
+    const auto fx = static_cast<float>(px - ix), fy = static_cast<float>(py - iy);
+    const ContourBeat* a = features_->contour.data() + iy * width_ + ix;
+    const ContourBeat* b = a + width_;
+    const float a0 = along(a[0]), a1 = along(a[1]), b0 = along(b[0]), b1 = along(b[1]);
+    const float above = a0 + fx * (a1 - a0), below = b0 + fx * (b1 - b0);
+    *out++ = above + fy * (below - above);
+  }
 }
 
-double ContourField::step(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
-  double sum = 0, squares = 0;
-  for (int u = -2; u <= 2; ++u) {
-    const double w = bell(u);
-    sum += w * normal.dot(gradient(x + u * normal));
+float ContourField::step(const float* gradients) const {
+  float sum = 0, squares = 0;
+  for (int u = -kStepReach; u <= kStepReach; ++u) {
+    const float w = bell(static_cast<float>(u));
+    sum += w * gradients[u];
     squares += w * w;
   }
-  return sum / (noise_ * std::sqrt(squares));
+  return sum / (static_cast<float>(noise_) * std::sqrt(squares));
 }
 
 EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
   constexpr int kReach = 5;
   constexpr int kRounds = 3;
-  double g[2 * kReach + 1];  // along the normal; known from `first` up to `last`
+  constexpr float kSettledPx = 1e-3F;
+  float g[2 * kReach + 1];  // along the normal; known from `first` up to `last`
   int first = kReach, last = kReach - 1;
-  const auto sample = [&](int i) { return normal.dot(gradient(x + (i - kReach) * normal)); };
+  const auto noise = static_cast<float>(noise_);
   EdgeProfile out;
-  double centre = 0, sum = 0, squares = 0, spread = 0;
+  float centre = 0, sum = 0, squares = 0, spread = 0;
   for (int round = 0; round < kRounds; ++round) {
     // The centre of gravity under a bell that follows it: unbiased for any symmetric blur.
-    double moment = 0;
+    float moment = 0;
     sum = squares = spread = 0;
     // Samples outside the bell need not be taken: most edges are near the point.
-    const int low = std::max(0, static_cast<int>(std::ceil(kReach + centre - kBellPx)));
-    const int high = std::min(2 * kReach, static_cast<int>(std::floor(kReach + centre + kBellPx)));
-    while (first > low) --first, g[first] = sample(first);
-    while (last < high) ++last, g[last] = sample(last);
+    const float start = kReach + centre - kBellPx, end = kReach + centre + kBellPx;  // 0 to 10
+    const int low = static_cast<int>(start) + (static_cast<float>(static_cast<int>(start)) < start);
+    const int high = static_cast<int>(end);
+    if (low < first) gradients_along(x, normal, low - kReach, first - 1 - kReach, g + low);
+    if (high > last) gradients_along(x, normal, last + 1 - kReach, high - kReach, g + last + 1);
+    first = std::min(first, low);
+    last = std::max(last, high);
     for (int i = low; i <= high; ++i) {
-      const double u = i - kReach - centre, w = bell(u);
+      const float u = static_cast<float>(i - kReach) - centre, w = bell(u);
       sum += w * g[i];
       moment += w * g[i] * u;
       squares += w * w;
       spread += w * w * u * u;
     }
-    if (std::abs(sum) < noise_) break;
-    centre = std::clamp(centre + moment / sum, -2.0, 2.0);
+    if (std::abs(sum) < noise) break;
+    const float last_centre = centre;
+    centre = std::clamp(centre + moment / sum, -kMostOffsetPx, kMostOffsetPx);
+    if (std::abs(centre - last_centre) < kSettledPx) break;
   }
   out.offset_px = centre;
   out.height = sum;
-  out.sigma_height = noise_ * std::sqrt(squares);
-  out.sigma_px = noise_ * std::sqrt(spread) / std::max(std::abs(sum), 1e-9);
+  out.sigma_height = noise * std::sqrt(squares);
+  out.sigma_px = noise * std::sqrt(spread) / std::max(std::abs(sum), 1e-9F);
   return out;
 }
 

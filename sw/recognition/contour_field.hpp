@@ -59,10 +59,14 @@ class ContourField {
   /// The edge within about 1.5 px of `x` across `normal`, to a small part of a pixel. The point
   /// must lie kProfilePx inside the image.
   EdgeProfile profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
-  /// The grey step across `normal` at `x` itself, in standard deviations of image noise, signed.
-  double step(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const;
-  /// Gradient at `x`, between the pixels, image units.
-  Eigen::Vector2d gradient(const Eigen::Vector2d& x) const;
+  /// The gradient's components along `normal` at x + i * normal for i from `first` to `last`, all
+  /// of them inside the image, between the pixels; image units.
+  void gradients_along(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, int first, int last,
+                       float* out) const;
+  static constexpr int kStepReach = 2;
+  /// The grey step across a point, in standard deviations of image noise, signed: from the
+  /// gradients along the normal there, `gradients`[0], and kStepReach px to either side.
+  float step(const float* gradients) const;
 
   static constexpr double kProfilePx = 6;
   /// The bin of a gradient direction.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "recognition/refinement.hpp"
 
@@ -10,26 +11,34 @@ namespace {
 /// Lines nearer than this to a profile's middle reach into its bell, px.
 constexpr double kClearancePx = 5.0;
 
-double distance_to_piece(const Eigen::Vector2d& x, const VisibleEdge& piece) {
-  const Eigen::Vector2d along = piece.x1 - piece.x0;
-  const double t = along.dot(x - piece.x0) / std::max(along.squaredNorm(), 1e-12);
-  return (x - piece.x0 - std::clamp(t, 0.0, 1.0) * along).norm();
-}
+/// A piece of another edge that runs near.
+struct Line {
+  Eigen::Vector2d from, along;  // unit
+  double length;
 
-bool is_crowded(const Eigen::Vector2d& x, std::size_t own, const std::vector<VisibleEdge>& edges) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i == own || edges[i].edge == edges[own].edge) continue;
-    const Eigen::Vector2d& a = edges[i].x0;
-    const Eigen::Vector2d& b = edges[i].x1;
-    if (x.x() < std::min(a.x(), b.x()) - kClearancePx ||
-        x.x() > std::max(a.x(), b.x()) + kClearancePx ||
-        x.y() < std::min(a.y(), b.y()) - kClearancePx ||
-        x.y() > std::max(a.y(), b.y()) + kClearancePx) {
+  bool clears(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d to = x - from;
+    const double t = std::clamp(along.dot(to), 0.0, length);
+    return (to - t * along).squaredNorm() >= kClearancePx * kClearancePx;
+  }
+};
+
+/// The pieces of other edges that may come near to `edges[own]`.
+void lines_near(const std::vector<VisibleEdge>& edges, std::size_t own, std::vector<Line>& out) {
+  out.clear();
+  const VisibleEdge& e = edges[own];
+  const auto apart = [](double a0, double a1, double b0, double b1) {
+    return std::min(a0, a1) - kClearancePx > std::max(b0, b1) ||
+           std::min(b0, b1) - kClearancePx > std::max(a0, a1);
+  };
+  for (const VisibleEdge& other : edges) {
+    if (other.edge == e.edge || apart(e.x0.x(), e.x1.x(), other.x0.x(), other.x1.x()) ||
+        apart(e.x0.y(), e.x1.y(), other.x0.y(), other.x1.y())) {
       continue;
     }
-    if (distance_to_piece(x, edges[i]) < kClearancePx) return true;
+    const Eigen::Vector2d along = other.x1 - other.x0;
+    out.push_back({other.x0, along / std::max(other.length_px, 1e-6), other.length_px});
   }
-  return false;
 }
 
 }  // namespace
@@ -38,6 +47,9 @@ std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
                                    const std::vector<VisibleEdge>& edges, double step_px,
                                    double end_px, double outside_px) {
   std::vector<EdgePoint> out;
+  out.reserve(static_cast<std::size_t>(std::accumulate(
+      edges.begin(), edges.end(), 0.0,
+      [&](double sum, const VisibleEdge& edge) { return sum + 1 + edge.length_px / step_px; })));
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const VisibleEdge& edge = edges[i];
     const double usable = edge.length_px - 2 * end_px;
@@ -53,11 +65,21 @@ std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
       p.x = view.camera->project(p.x_in_world);
       p.normal = edge.normal;
       if (!view.field->inside(p.x, ContourField::kProfilePx - outside_px)) continue;
-      p.crowded = is_crowded(p.x, i, edges);
       out.push_back(p);
     }
   }
   return out;
+}
+
+void mark_crowded(const std::vector<VisibleEdge>& edges, std::vector<EdgePoint>& points) {
+  std::vector<Line> near;
+  int piece = -1;
+  for (EdgePoint& p : points) {
+    if (p.piece != piece) lines_near(edges, static_cast<std::size_t>(p.piece), near);
+    piece = p.piece;
+    p.crowded =
+        std::any_of(near.begin(), near.end(), [&](const Line& line) { return !line.clears(p.x); });
+  }
 }
 
 }  // namespace trihedron

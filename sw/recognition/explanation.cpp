@@ -25,7 +25,7 @@ RecognizedObject report(const SceneInput& input, const SceneSearch& search, int 
   int position = 0;
   const auto context = search.context_of(i, position);
   describe_surfaces(input.views, context, position,
-                    collect_evidence(input.views, context, position), surfaces, out.surfaces);
+                    collect_evidence(input.views, context, position, true), surfaces, out.surfaces);
   return out;
 }
 

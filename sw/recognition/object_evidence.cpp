@@ -27,17 +27,33 @@ constexpr double kExplainedPx = 3.0;
 /// Points that tell how a view is shifted, apart and away from junctions, px.
 constexpr double kShiftStepPx = 8, kShiftEndPx = 4;
 
-/// Whether a predicted line with about this normal passes x.
-bool explained(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double within_px,
-               const std::vector<VisibleEdge>& lines) {
-  constexpr double kSameDirection = 0.8;  // cosine, about 37 degrees
-  for (const VisibleEdge& line : lines) {
-    if (std::abs(line.normal.dot(normal)) < kSameDirection) continue;
-    if (std::abs(line.normal.dot(x - line.x0)) > within_px) continue;
-    const double along = (line.x1 - line.x0).dot(x - line.x0) / std::max(line.length_px, 1e-9);
-    if (along > -within_px && along < line.length_px + within_px) return true;
+/// A predicted line in the image.
+struct Line {
+  Eigen::Vector2d x0, along, normal;  // start, px; unit vectors
+  double length_px;
+
+  bool passes(const Eigen::Vector2d& x, double within_px) const {
+    const Eigen::Vector2d to = x - x0;
+    if (std::abs(normal.dot(to)) > within_px) return false;
+    const double t = along.dot(to);
+    return t > -within_px && t < length_px + within_px;
   }
-  return false;
+};
+
+/// Those of about a direction, the only ones that have a contour with such a normal.
+void lines_along(const std::vector<VisibleEdge>& edges, const Eigen::Vector2d& normal,
+                 std::vector<Line>& out) {
+  constexpr double kSameDirection = 0.8;  // cosine, about 37 degrees
+  out.clear();
+  for (const VisibleEdge& e : edges) {
+    if (std::abs(e.normal.dot(normal)) < kSameDirection) continue;
+    out.push_back({e.x0, (e.x1 - e.x0) / std::max(e.length_px, 1e-9), e.normal, e.length_px});
+  }
+}
+
+bool explained(const Eigen::Vector2d& x, double within_px, const std::vector<Line>& lines) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const Line& line) { return line.passes(x, within_px); });
 }
 
 enum class Finding { kFound, kDisplaced, kFlat, kSilent };
@@ -47,9 +63,12 @@ enum class Finding { kFound, kDisplaced, kFlat, kSilent };
 class FaintStep {
  public:
   void add(const ContourField& field, const EdgePoint& p) {
-    if (!field.inside(p.x, kBesidePx + 3)) return;
+    constexpr int kReach = kBesidePx + ContourField::kStepReach;
+    if (!field.inside(p.x, kReach + 1)) return;
+    std::array<float, 2 * kReach + 1> gradients;
+    field.gradients_along(p.x, p.normal, -kReach, kReach, gradients.data());
     for (int d = -kBesidePx; d <= kBesidePx; ++d) {
-      sum_[d + kBesidePx] += field.step(p.x + d * p.normal, p.normal);
+      sum_[d + kBesidePx] += field.step(&gradients[static_cast<std::size_t>(d + kReach)]);
     }
     ++n_;
   }
@@ -82,32 +101,39 @@ struct Collector {
   const std::vector<VisibleEdge>& lines;  // of all objects
   std::vector<VisibleEdge> earlier;       // of objects that come first, and of pieces before this
   double least_px, reach_px;              // displacements that count
+  bool exact_offsets;
+  std::vector<Line> lines_here, earlier_here;  // along the piece in question
   std::vector<double> hits;
+
+  void start(const VisibleEdge& piece) {
+    lines_along(lines, piece.normal, lines_here);
+    lines_along(earlier, piece.normal, earlier_here);
+  }
 
   /// What is at the point; `offset` is the distance of what was found there or beside it.
   Finding look(const EdgePoint& p, double& offset) {
     // A contour proves one line only: where an earlier one runs, nothing is learnt.
-    if (explained(p.x, p.normal, kSharedPx, earlier)) return Finding::kSilent;
+    if (explained(p.x, kSharedPx, earlier_here)) return Finding::kSilent;
     if (!view.field->inside(p.x, ContourField::kProfilePx)) return look_beside(p, offset);
+    constexpr double kPixelPx =
+        2;  // a contour's pixels may be nearer than the walk to them by less
+    const double tolerance = p.crowded ? kMergedPx : kContourPx;
+    offset = view.field->nearest_contour(p.x, p.normal, std::min(tolerance + kPixelPx, reach_px));
+    const bool contour = std::abs(offset) < tolerance;  // false of NaN
+    if (contour && !exact_offsets) return Finding::kFound;
     const EdgeProfile profile = view.field->profile(p.x, p.normal);
     const bool clear = std::abs(profile.height) > kClearHeight * profile.sigma_height;
     if (clear && std::abs(profile.offset_px) < kExactPx) {
       offset = profile.offset_px;
       return Finding::kFound;
     }
-    view.field->contours_across(p.x, p.normal, reach_px, hits);
-    const double tolerance = p.crowded ? kMergedPx : kContourPx;
-    if (!hits.empty() && std::abs(hits[0]) < tolerance) {
-      offset = hits[0];
-      return Finding::kFound;
-    }
-    return look_beside(p, offset);
+    return contour ? Finding::kFound : look_beside(p, offset);
   }
 
   Finding look_beside(const EdgePoint& p, double& offset) {
     view.field->contours_across(p.x, p.normal, reach_px, hits);
     for (double d : hits) {
-      if (std::abs(d) < least_px || explained(p.x + d * p.normal, p.normal, kExplainedPx, lines))
+      if (std::abs(d) < least_px || explained(p.x + d * p.normal, kExplainedPx, lines_here))
         continue;
       offset = d;
       return Finding::kDisplaced;
@@ -162,7 +188,7 @@ void settle(PieceEvidence& piece, const std::vector<Beside>& beside, std::vector
 }
 
 void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& objects, int index,
-                  ObjectEvidence& out) {
+                  bool exact_offsets, ObjectEvidence& out) {
   auto lines = visible_edges(*view.camera, objects);
   std::vector<VisibleEdge> own, others;
   for (const VisibleEdge& line : lines) {
@@ -186,9 +212,13 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
                       std::move(others),
                       std::max(kContourPx, kLeastDisplacementMm * px_per_mm),
                       kSimilarShapes * placed.model->diameter * px_per_mm,
+                      exact_offsets,
+                      {},
+                      {},
                       {}};
   auto points = edge_points(view, v, own, kEvidenceStepPx, 2, collector.reach_px);
   for (EdgePoint& p : points) p.x += shift;
+  mark_crowded(own, points);
   std::vector<Beside> beside;
   std::vector<double> found;
   for (std::size_t i = 0; i < points.size();) {
@@ -201,6 +231,7 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
     piece.length_px = line.length_px;
     piece.normal = line.normal;
     piece.middle_in_world = 0.5 * (line.x0_in_world + line.x1_in_world);
+    collector.start(line);
     found.clear();
     FaintStep faint;
     beside.clear();
@@ -228,10 +259,11 @@ void collect_view(const FieldView& view, int v, const std::vector<PlacedModel>& 
 }  // namespace
 
 ObjectEvidence collect_evidence(const std::vector<FieldView>& views,
-                                const std::vector<PlacedModel>& objects, int index) {
+                                const std::vector<PlacedModel>& objects, int index,
+                                bool exact_offsets) {
   ObjectEvidence out;
   for (int v = 0; v < static_cast<int>(views.size()); ++v) {
-    collect_view(views[v], v, objects, index, out);
+    collect_view(views[v], v, objects, index, exact_offsets, out);
   }
   return out;
 }

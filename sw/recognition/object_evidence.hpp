@@ -23,7 +23,8 @@ struct PieceEvidence {
   double flat = 0;       ///< share of points with neither: hidden, or no contrast
   double weak = 0;  ///< share of points with too little contrast for a contour, where the piece as
                     ///< a whole does show a step
-  double offset_px = 0;        ///< median of the found points' distances, along `normal`
+  double offset_px = 0;        ///< median of the found points' distances, along `normal`: to the
+                               ///< contour's pixel where there is one, or exact if asked for
   double displacement_px = 0;  ///< median of the displaced points' distances, along `normal`
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();          ///< as in VisibleEdge
   Eigen::Vector3d middle_in_world = Eigen::Vector3d::Zero();  ///< mm
@@ -44,7 +45,9 @@ inline constexpr double kSimilarShapes = 0.12;
 
 /// Collects the evidence for `objects[index]`. The image lines of all `objects` count as
 /// explained; a contour where an object with a smaller index has a line proves nothing here.
+/// Exact offsets take a look at the gradient of every point, nothing else depends on them.
 ObjectEvidence collect_evidence(const std::vector<FieldView>& views,
-                                const std::vector<PlacedModel>& objects, int index);
+                                const std::vector<PlacedModel>& objects, int index,
+                                bool exact_offsets = false);
 
 }  // namespace trihedron

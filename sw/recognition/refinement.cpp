@@ -21,6 +21,8 @@ constexpr double kTukey = 4.685;
 constexpr double kClearHeight = 4.0;
 /// Gradient noise is correlated over the front end's window, px.
 constexpr double kCorrelationPx = 3.0;
+/// Spacing of the points whose exact positions are asked for, px.
+constexpr double kExactStepPx = 4;
 /// Weak prior on the motion in one round: directions that no contour fixes stay where they are.
 constexpr double kPriorRad = 0.2, kPriorMm = 20.0;
 
@@ -69,14 +71,16 @@ Vector6d solve(const std::vector<Residual>& residuals) {
   return normal.ldlt().solve(right);
 }
 
-/// The points of all views, pieces numbered through.
+/// Points of all views, for contours or for the exact positions: only there crowding matters.
 std::vector<EdgePoint> all_points(const std::vector<FieldView>& views,
-                                  const std::vector<PlacedModel>& objects, int index,
-                                  double step_px, double end_px) {
+                                  const std::vector<PlacedModel>& objects, int index, bool exact) {
+  constexpr double kCoarseStepPx = 8, kCoarseEndPx = 2, kEndPx = 4;
   std::vector<EdgePoint> out;
   for (int v = 0; v < static_cast<int>(views.size()); ++v) {
     const auto edges = visible_edges(*views[v].camera, objects, index);
-    const auto points = edge_points(views[v], v, edges, step_px, end_px);
+    auto points = edge_points(views[v], v, edges, exact ? kExactStepPx : kCoarseStepPx,
+                              exact ? kEndPx : kCoarseEndPx);
+    if (exact) mark_crowded(edges, points);
     out.insert(out.end(), points.begin(), points.end());
   }
   return out;
@@ -199,18 +203,17 @@ bool speaks(const EdgeProfile& profile) {
 
 RefinedPose refine(const std::vector<FieldView>& views, std::vector<PlacedModel> objects, int index,
                    const RefinementOptions& options) {
-  constexpr double kCoarseStepPx = 8, kExactStepPx = 4, kEndPx = 4;
   Transform& pose = objects[index].world_from_model;
   RefinedPose out;
   for (double reach_mm : options.reaches_mm) {
-    const auto points = all_points(views, objects, index, kCoarseStepPx, 2);
+    const auto points = all_points(views, objects, index, false);
     auto residuals = contour_residuals(views, points, pose.t, reach_mm);
     weigh(residuals);
     pose = moved(pose, solve(residuals));
   }
   std::vector<Residual> residuals;
   for (int round = 0; round < options.exact_rounds; ++round) {
-    const auto points = all_points(views, objects, index, kExactStepPx, kEndPx);
+    const auto points = all_points(views, objects, index, true);
     residuals = exact_residuals(views, points, pose.t);
     weigh(residuals);
     pose = moved(pose, solve(residuals));

@@ -35,7 +35,7 @@ struct EdgePoint {
   Eigen::Vector3d x_in_world;  ///< mm
   Eigen::Vector2d x;           ///< px
   Eigen::Vector2d normal;      ///< unit, px, away from the piece's surface
-  bool crowded = false;        ///< another predicted line runs too near for a clean profile
+  bool crowded = false;        ///< see mark_crowded
 };
 
 /// Points on visible pieces `step_px` apart, `end_px` away from the pieces' ends (where other
@@ -44,6 +44,10 @@ struct EdgePoint {
 std::vector<EdgePoint> edge_points(const FieldView& view, int view_index,
                                    const std::vector<VisibleEdge>& edges, double step_px,
                                    double end_px, double outside_px = 0);
+
+/// Marks the points of one view's pieces near which another edge's line runs: too near for a clean
+/// profile.
+void mark_crowded(const std::vector<VisibleEdge>& edges, std::vector<EdgePoint>& points);
 
 /// Whether the gradient shows an edge where the profile was asked for: a height clear of image
 /// noise, and the edge within the profile's reach.
