@@ -82,7 +82,7 @@ Candidate make_candidate(const SceneInput& input, int model_index,
                          const std::vector<PlacedModel>& known) {
   RefinementOptions options;
   options.reaches_mm = reaches_mm;
-  options.exact_rounds = 2;
+  options.exact_rounds = 1;
   std::vector<PlacedModel> scene = known;
   const auto index = static_cast<int>(scene.size());
   scene.push_back({&input.library[model_index], world_from_model});

@@ -2,7 +2,9 @@
 #include "recognition/contour_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace trihedron {
@@ -25,6 +27,19 @@ float bell(float u) {
   const float v = 1 - u * u * (1 / (kBellPx * kBellPx));
   return v > 0 ? v * v : 0;
 }
+
+using Lanes __attribute__((vector_size(16))) = float;
+
+Lanes bell(const Lanes& u) {
+  const Lanes v = 1 - u * u * (1 / (kBellPx * kBellPx));
+  return v > 0 ? v * v : Lanes{};
+}
+Lanes load(const float* from) {
+  Lanes out;
+  std::memcpy(&out, from, sizeof out);
+  return out;
+}
+float total(const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
 }  // namespace
 
@@ -173,42 +188,47 @@ float ContourField::step(const float* gradients) const {
 }
 
 EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
-  constexpr int kReach = 5;
+  constexpr int kReach = 5;  // the bell's half width and as far as it moves
   constexpr int kRounds = 3;
   constexpr float kSettledPx = 1e-3F;
-  float g[2 * kReach + 1];  // along the normal; known from `first` up to `last`
+  // The bell covers at most 7 samples: two registers' worth from its first one on.
+  std::array<float, 2 * kReach + 2> g{};  // along the normal; known from `first` up to `last`
   int first = kReach, last = kReach - 1;
   const auto noise = static_cast<float>(noise_);
-  EdgeProfile out;
-  float centre = 0, sum = 0, squares = 0, spread = 0;
+  float centre = 0, sum = 0;
+  Lanes u[2], w[2];
   for (int round = 0; round < kRounds; ++round) {
     // The centre of gravity under a bell that follows it: unbiased for any symmetric blur.
-    float moment = 0;
-    sum = squares = spread = 0;
-    // Samples outside the bell need not be taken: most edges are near the point.
     const float start = kReach + centre - kBellPx, end = kReach + centre + kBellPx;  // 0 to 10
     const int low = static_cast<int>(start) + (static_cast<float>(static_cast<int>(start)) < start);
     const int high = static_cast<int>(end);
-    if (low < first) gradients_along(x, normal, low - kReach, first - 1 - kReach, g + low);
-    if (high > last) gradients_along(x, normal, last + 1 - kReach, high - kReach, g + last + 1);
+    // Samples outside the bell need not be taken: most edges are near the point.
+    if (low < first) gradients_along(x, normal, low - kReach, first - 1 - kReach, &g[low]);
+    if (high > last) gradients_along(x, normal, last + 1 - kReach, high - kReach, &g[last + 1]);
     first = std::min(first, low);
     last = std::max(last, high);
-    for (int i = low; i <= high; ++i) {
-      const float u = static_cast<float>(i - kReach) - centre, w = bell(u);
-      sum += w * g[i];
-      moment += w * g[i] * u;
-      squares += w * w;
-      spread += w * w * u * u;
+    u[0] = Lanes{0, 1, 2, 3} + (static_cast<float>(low - kReach) - centre);
+    u[1] = u[0] + 4;
+    Lanes weighted{}, moment{};
+    for (int k = 0; k < 2; ++k) {
+      w[k] = bell(u[k]);
+      const Lanes wg = w[k] * load(&g[low + 4 * k]);
+      weighted += wg;
+      moment += wg * u[k];
     }
+    sum = total(weighted);
     if (std::abs(sum) < noise) break;
-    const float last_centre = centre;
-    centre = std::clamp(centre + moment / sum, -kMostOffsetPx, kMostOffsetPx);
-    if (std::abs(centre - last_centre) < kSettledPx) break;
+    const float before = centre;
+    centre = std::clamp(centre + total(moment) / sum, -kMostOffsetPx, kMostOffsetPx);
+    if (std::abs(centre - before) < kSettledPx) break;
   }
+  const Lanes squares = w[0] * w[0] + w[1] * w[1];
+  const Lanes spread = w[0] * w[0] * u[0] * u[0] + w[1] * w[1] * u[1] * u[1];
+  EdgeProfile out;
   out.offset_px = centre;
   out.height = sum;
-  out.sigma_height = noise * std::sqrt(squares);
-  out.sigma_px = noise * std::sqrt(spread) / std::max(std::abs(sum), 1e-9F);
+  out.sigma_height = noise * std::sqrt(total(squares));
+  out.sigma_px = noise * std::sqrt(total(spread)) / std::max(std::abs(sum), 1e-9F);
   return out;
 }
 

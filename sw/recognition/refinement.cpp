@@ -23,6 +23,9 @@ constexpr double kClearHeight = 4.0;
 constexpr double kCorrelationPx = 3.0;
 /// Spacing of the points whose exact positions are asked for, px.
 constexpr double kExactStepPx = 4;
+/// Robust solutions on what one round found: motions are so small by then that residuals follow
+/// them linearly.
+constexpr int kSolutions = 2;
 /// Weak prior on the motion in one round: directions that no contour fixes stay where they are.
 constexpr double kPriorRad = 0.2, kPriorMm = 20.0;
 
@@ -60,15 +63,25 @@ Matrix6d prior() {
   return diagonal.asDiagonal();
 }
 
+/// Adds the weighted square of a residual's row to the normal matrix: its lower half.
+void add_square(const Residual& r, Matrix6d& normal) {
+  const Vector6d weighted = r.weight * r.jacobian.transpose();
+  for (Eigen::Index column = 0; column < 6; ++column) {
+    for (Eigen::Index row = column; row < 6; ++row) {
+      normal(row, column) += weighted[row] * r.jacobian[column];
+    }
+  }
+}
+
 Vector6d solve(const std::vector<Residual>& residuals) {
   Matrix6d normal = prior();
   Vector6d right = Vector6d::Zero();
   for (const Residual& r : residuals) {
     if (r.weight == 0) continue;
-    normal += (r.weight * r.jacobian.transpose()).lazyProduct(r.jacobian);
+    add_square(r, normal);
     right += r.weight * r.value * r.jacobian.transpose();
   }
-  return normal.ldlt().solve(right);
+  return normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
 }
 
 /// Points of all views, for contours or for the exact positions: only there crowding matters.
@@ -147,7 +160,7 @@ Matrix6d covariance(const std::vector<Residual>& residuals, double step_px) {
   double chi2 = 0, weights = 0;
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     const Residual& r = residuals[i];
-    normal += (r.weight * r.jacobian.transpose()).lazyProduct(r.jacobian);
+    add_square(r, normal);
     piece += r.weight * r.value * r.jacobian.transpose();
     chi2 += r.weight * r.value * r.value;
     weights += r.weight * r.sigma * r.sigma;
@@ -156,7 +169,8 @@ Matrix6d covariance(const std::vector<Residual>& residuals, double step_px) {
       piece.setZero();
     }
   }
-  const Matrix6d inverse = normal.inverse();
+  const Matrix6d inverse =
+      normal.selfadjointView<Eigen::Lower>().ldlt().solve(Matrix6d::Identity());
   const double correlated = std::max(1.0, kCorrelationPx / step_px);
   const double scale = correlated * std::max(1.0, chi2 / std::max(1.0, weights - 6));
   return inverse * shared * inverse + scale * inverse;
@@ -215,8 +229,12 @@ RefinedPose refine(const std::vector<FieldView>& views, std::vector<PlacedModel>
   for (int round = 0; round < options.exact_rounds; ++round) {
     const auto points = all_points(views, objects, index, true);
     residuals = exact_residuals(views, points, pose.t);
-    weigh(residuals);
-    pose = moved(pose, solve(residuals));
+    for (int solution = 0; solution < kSolutions; ++solution) {
+      weigh(residuals);
+      const Vector6d motion = solve(residuals);
+      pose = moved(pose, motion);
+      for (Residual& r : residuals) r.value -= r.jacobian.dot(motion.transpose());
+    }
   }
   out.world_from_model = pose;
   out.covariance = covariance(residuals, kExactStepPx);

@@ -57,8 +57,8 @@ struct RefinementOptions {
   /// How far contours are searched for across a predicted edge, mm at the object, one search
   /// after another, and at least kNarrowPx.
   std::vector<double> reaches_mm = {10, 10, 5, 5, 2.5, 2.5, 1, 1};
-  /// Rounds on the gradient profiles, the exact positions.
-  int exact_rounds = 3;
+  /// Looks at the gradient profiles, the exact positions, once contours are met.
+  int exact_rounds = 2;
 };
 
 /// Narrowest search for contours, px: less than this the thinning to whole pixels disturbs.

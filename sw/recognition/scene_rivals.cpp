@@ -110,7 +110,7 @@ std::optional<Transform> SceneSearch::explains_more(int winner, const Model& sha
   if (evidence() > enough) return pose;
   RefinementOptions near;
   near.reaches_mm = reaches_mm;
-  near.exact_rounds = 2;
+  near.exact_rounds = 1;
   const RefinedPose refined = refine(input_.views, context, position, near);
   if (!refined.converged) return std::nullopt;
   context[position].world_from_model = refined.world_from_model;
