@@ -89,6 +89,7 @@ void ContourField::build_bins(const ViewFeatures& features) {
   constexpr int kTogether = 8;  // most pixels are none: asked for in groups
   const ContourBeat* row = features.contour.data();
   for (int y = 0; y < height_; ++y, row += width_) {
+    rows_.push_back(static_cast<int>(pixels_.size()));
     for (int first = 0; first < width_; first += kTogether) {
       const int end = std::min(first + kTogether, width_);
       unsigned flags = 0;
@@ -104,6 +105,7 @@ void ContourField::build_bins(const ViewFeatures& features) {
       }
     }
   }
+  rows_.push_back(static_cast<int>(pixels_.size()));
 }
 
 /// A walk in whole steps along the normal's longer component visits every row (or column) once and

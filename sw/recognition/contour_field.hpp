@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "golden/features.hpp"
@@ -40,6 +41,8 @@ class ContourField {
   };
   /// All contour pixels in raster order.
   const std::vector<Pixel>& pixels() const { return pixels_; }
+  /// Those of row y: [first, second).
+  std::pair<int, int> row(int y) const { return {rows_[y], rows_[y + 1]}; }
 
   bool inside(const Eigen::Vector2d& x, double margin_px) const {
     return x.x() >= margin_px && x.y() >= margin_px && x.x() <= width_ - 1 - margin_px &&
@@ -83,6 +86,7 @@ class ContourField {
   double noise_ = 0;
   std::vector<std::uint8_t> bins_;
   std::vector<Pixel> pixels_;
+  std::vector<int> rows_;  // per row and one more: index of its first pixel
 };
 
 }  // namespace trihedron

@@ -63,13 +63,11 @@ Matrix6d prior() {
   return diagonal.asDiagonal();
 }
 
-/// Adds the weighted square of a residual's row to the normal matrix: its lower half.
+/// Adds the weighted square of a residual's row to the normal matrix.
 void add_square(const Residual& r, Matrix6d& normal) {
   const Vector6d weighted = r.weight * r.jacobian.transpose();
   for (Eigen::Index column = 0; column < 6; ++column) {
-    for (Eigen::Index row = column; row < 6; ++row) {
-      normal(row, column) += weighted[row] * r.jacobian[column];
-    }
+    normal.col(column) += r.jacobian[column] * weighted;
   }
 }
 
@@ -81,7 +79,7 @@ Vector6d solve(const std::vector<Residual>& residuals) {
     add_square(r, normal);
     right += r.weight * r.value * r.jacobian.transpose();
   }
-  return normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+  return normal.ldlt().solve(right);
 }
 
 /// Points of all views, for contours or for the exact positions: only there crowding matters.
@@ -169,8 +167,7 @@ Matrix6d covariance(const std::vector<Residual>& residuals, double step_px) {
       piece.setZero();
     }
   }
-  const Matrix6d inverse =
-      normal.selfadjointView<Eigen::Lower>().ldlt().solve(Matrix6d::Identity());
+  const Matrix6d inverse = normal.ldlt().solve(Matrix6d::Identity());
   const double correlated = std::max(1.0, kCorrelationPx / step_px);
   const double scale = correlated * std::max(1.0, chi2 / std::max(1.0, weights - 6));
   return inverse * shared * inverse + scale * inverse;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "golden/gradient.hpp"
 
@@ -26,10 +28,8 @@ void sum_along(const ViewFeatures& f, int y, std::vector<std::int16_t>& out) {
   out.resize(2 * width - 4);
   const ContourBeat* beats = &f.at(0, y);
   std::int16_t* to = slopes.data();  // as a plain pointer, or the loop does not vectorise
-  for (std::size_t x = 0; x < width; ++x) {
-    to[2 * x] = beats[x].gx;
-    to[2 * x + 1] = beats[x].gy;
-  }
+  static_assert(offsetof(ContourBeat, gx) == 0 && offsetof(ContourBeat, gy) == 2);
+  for (std::size_t x = 0; x < width; ++x) std::memcpy(to + 2 * x, beats + x, 4);
   binomial(to, to + 2, to + 4, out.size(), out.data());
 }
 
@@ -60,11 +60,13 @@ void smooth_row(const ViewFeatures& f, int y, RowSums& sums, SmoothRow& row) {
   float* gy = row.gy.data() + 1;
   float* magnitude = row.magnitude.data() + 1;
   for (std::size_t x = 0; x + 2 < width; ++x) {
-    gx[x] = kWeight * static_cast<float>(smooth[2 * x]);
-    gy[x] = kWeight * static_cast<float>(smooth[2 * x + 1]);
-  }
-  for (std::size_t x = 0; x + 2 < width; ++x) {
-    magnitude[x] = std::sqrt(gx[x] * gx[x] + gy[x] * gy[x]);
+    std::int32_t both;  // gx in the lower half
+    std::memcpy(&both, smooth + 2 * x, sizeof both);
+    const float u = kWeight * static_cast<float>(static_cast<std::int16_t>(both));
+    const float v = kWeight * static_cast<float>(both >> 16);
+    gx[x] = u;
+    gy[x] = v;
+    magnitude[x] = std::sqrt(u * u + v * v);
   }
 }
 
@@ -72,6 +74,11 @@ void SmoothRows::move_to(int y) {
   const int last = std::min(y + kReach, features_.height - 1);
   for (; next_ <= last; ++next_) {
     smooth_row(features_, next_, sums_, rows_[static_cast<std::size_t>(next_) % rows_.size()]);
+  }
+  middle_ = y;
+  for (int k = -kReach; k <= kReach; ++k) {
+    around_[static_cast<std::size_t>(k + kReach)] =
+        &rows_[static_cast<std::size_t>(std::max(0, y + k)) % rows_.size()];
   }
 }
 

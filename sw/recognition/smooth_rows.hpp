@@ -48,12 +48,16 @@ class SmoothRows {
   /// Makes y the middle row; the calls go down the image from its top.
   void move_to(int y);
   /// A row of the image within kReach of the middle one.
-  const SmoothRow& row(int y) const { return rows_[static_cast<std::size_t>(y) % rows_.size()]; }
+  const SmoothRow& row(int y) const {
+    return *around_[static_cast<std::size_t>(y - middle_ + kReach)];
+  }
 
  private:
   const ViewFeatures& features_;
   RowSums sums_;
   std::array<SmoothRow, 2 * kReach + 1> rows_;
+  std::array<const SmoothRow*, 2 * kReach + 1> around_{};  // from middle_ - kReach on
+  int middle_ = 0;
   int next_ = 0;  // first row not computed yet
 };
 

@@ -10,23 +10,25 @@
 namespace trihedron {
 namespace {
 
-/// Depth of the surface's plane along the ray of ideal coordinates (x, y).
-double plane_depth(const Camera& camera, const Eigen::Vector3d& normal, double offset,
-                   const Eigen::Vector2d& ideal) {
-  if (camera.projection == Camera::Projection::kPinhole) {
-    return offset / (normal.x() * ideal.x() + normal.y() * ideal.y() + normal.z());
+/// Depth of a surface's plane at the cells of the image: (p + q . cell) / (r + s . cell). Lens
+/// distortion moves a depth by far less than objects are apart.
+struct PlaneDepth {
+  PlaneDepth(const Camera& camera, const Eigen::Vector3d& normal, double offset) {
+    const bool pinhole = camera.projection == Camera::Projection::kPinhole;
+    const Eigen::Vector2d focal = pinhole ? Eigen::Vector2d(camera.K(0, 0), camera.K(1, 1))
+                                          : Eigen::Vector2d::Constant(camera.px_per_mm);
+    const Eigen::Vector2d per_cell =
+        SurfaceMap::kCellPx * (normal.head<2>().array() / focal.array()).matrix();
+    const Eigen::Vector2d middle(camera.K(0, 2), camera.K(1, 2));
+    const double at_corner = -(normal.head<2>().array() * middle.array() / focal.array()).sum();
+    p = pinhole ? offset : offset - at_corner;
+    r = pinhole ? normal.z() + at_corner : normal.z();
+    (pinhole ? s : q) = pinhole ? per_cell : Eigen::Vector2d(-per_cell);
   }
-  return (offset - normal.x() * ideal.x() - normal.y() * ideal.y()) / normal.z();
-}
 
-Eigen::Vector2d ideal_of_pixel(const Camera& camera, const Eigen::Vector2d& pixel) {
-  if (camera.projection == Camera::Projection::kPinhole) {
-    return {(pixel.x() - camera.K(0, 2)) / camera.K(0, 0),
-            (pixel.y() - camera.K(1, 2)) / camera.K(1, 1)};
-  }
-  return {(pixel.x() - camera.K(0, 2)) / camera.px_per_mm,
-          (pixel.y() - camera.K(1, 2)) / camera.px_per_mm};
-}
+  double p, r;
+  Eigen::Vector2d q = Eigen::Vector2d::Zero(), s = q;
+};
 
 /// A rectangle of cells of the image.
 struct Window {
@@ -107,15 +109,15 @@ void draw(const Camera& camera, const Drawing& drawing, const Window& window, Vi
       loops.emplace_back();
       for (int v : loop) loops.back().push_back(drawing.cells[v]);
     }
+    const PlaneDepth plane(camera, projected.normals[s], projected.offsets[s]);
+    const auto q = static_cast<float>(plane.q.x()), r = static_cast<float>(plane.s.x());
     scan(loops, window, cuts, [&](int row, int from, int to) {
       const int start = (row - window.row) * window.columns - window.column;
+      const auto above = static_cast<float>(plane.p + plane.q.y() * row);
+      const auto below = static_cast<float>(plane.r + plane.s.y() * row);
       for (int column = from; column <= to; ++column) {
-        // Lens distortion moves a depth by far less than objects are apart.
-        const Eigen::Vector2d ideal = ideal_of_pixel(
-            camera, Eigen::Vector2d(column, row) * static_cast<double>(SurfaceMap::kCellPx));
-        visit(s, start + column,
-              static_cast<float>(
-                  plane_depth(camera, projected.normals[s], projected.offsets[s], ideal)));
+        const auto c = static_cast<float>(column);
+        visit(s, start + column, (above + q * c) / (below + r * c));
       }
     });
   }
