@@ -10,7 +10,7 @@ namespace trihedron::sim {
 Size random_size(Random& random) {
   // Thousands of vertices in one frame.
   if (random.chance(0.01)) return {random.between(1000, kMaxWidthPx), random.between(13, 80)};
-  switch (random.between(0, 11)) {
+  switch (random.between(0, 13)) {
     case 0:
       return {kMinSizePx, kMinSizePx};
     case 1:
@@ -26,6 +26,10 @@ Size random_size(Random& random) {
       return {random.between(161, 1000), random.between(kMinSizePx, 12)};
     case 7:
       return {random.between(kMinSizePx, 12), random.between(81, 600)};
+    case 8:
+      return {random.between(17, 160), kMinSizePx};
+    case 9:
+      return {kMinSizePx, random.between(17, 160)};
     default:
       return {random.between(17, 160), random.between(17, 80)};
   }
@@ -68,6 +72,7 @@ golden::FrontEndConfig random_thresholds(Random& random) {
 
 int random_vertex_limit(Random& random) {
   if (random.chance(0.7)) return kMaxVertexLimit;
+  if (random.chance(0.1)) return 0;
   return random.between(0, random.chance(0.7) ? 20 : kMaxVertexLimit);
 }
 
@@ -98,7 +103,8 @@ void add_fault(SourceFrame& frame, Random& random) {
   }
   // Sizes that are not legal.
   const int choice = kind - kFaults;
-  const int height = random.between(kMinSizePx, 9);
+  // As FRAME_HEIGHT says, where that is not many lines of the widest.
+  const int height = std::min(image.height, 12);
   if (choice == 0) image = make_image(Pattern::kNoise, random.between(1, 4), height, random, {});
   if (choice == 1) {
     image = make_image(Pattern::kNoise, kMaxWidthPx + random.between(1, 3), height, random, {});

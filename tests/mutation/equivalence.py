@@ -14,14 +14,14 @@ import subprocess
 import sys
 import tempfile
 
-TIMEOUT_S = 15
+PDR_S, TIMEOUT_S = 15, 120
 
 
 def prepare(design, module, top, mutate, name):
     """The module `top` with `module` flattened into it; all other instances become ports."""
     return (f"read_rtlil {design}\n{mutate}\nhierarchy -top {top}\n"
             f"setattr -mod -set keep_hierarchy 1 *\nsetattr -mod -unset keep_hierarchy {module} {top}\n"
-            f"flatten {top}\nexpose -evert {top}\nmemory -nomap\nmemory_map\nopt_clean\n"
+            f"flatten {top}\ncd {top}\nexpose -evert c:*\ncd ..\nmemory -nomap\nmemory_map\nopt_clean\n"
             f"rename {top} {name}\ndesign -stash {name}\ndesign -reset\n")
 
 
@@ -36,10 +36,12 @@ def same(design, module, top, command):
                   f"abc -g AND -fast\nopt_clean\nwrite_aiger -zinit {aiger}\n")
         file = pathlib.Path(folder) / "pair.ys"
         file.write_text(script)
-        if subprocess.run(["yosys", "-q", file], capture_output=True).returncode != 0:
+        prove = f"read_aiger {aiger}; strash; scorr; orpos; pdr -T {PDR_S}"
+        try:
+            subprocess.run(["yosys", "-q", file], capture_output=True, timeout=TIMEOUT_S, check=True)
+            run = subprocess.run(["yosys-abc", "-q", prove], capture_output=True, text=True, timeout=TIMEOUT_S)
+        except (subprocess.TimeoutExpired, subprocess.CalledProcessError):
             return False
-        prove = f"read_aiger {aiger}; strash; scorr; orpos; pdr -T {TIMEOUT_S}"
-        run = subprocess.run(["yosys-abc", "-q", prove], capture_output=True, text=True)
         return "Property proved" in run.stdout
 
 
