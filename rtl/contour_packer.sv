@@ -3,7 +3,7 @@
 // Joins gradient vectors and contour flags of the same pixel into the contour stream.
 //
 //   slope_*       {magnitude, gy, gx} of each pixel, raster order, slope_first_i at a frame's
-//                 first, slope_begins_i in the clock before; some clocks ahead of
+//                 first, slope_begins_i two clocks before; some clocks ahead of
 //   flags_*       {first, contour} of each real pixel, with sol, eol, sof of its row
 //   ready_o       room for everything that is still in the pipeline: a beat may enter it
 //   m_axis_*      beat: [0] contour, [1] first contour, [23:8] magnitude, [39:24] gx,
@@ -13,7 +13,7 @@
 // or a mark: flags without a mark are dropped until theirs comes; a gradient without one says that nothing
 // fits, and all is dropped. What waits is thrown away when the next frame's gradients begin.
 //
-// Latency 2 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
+// Latency 3 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
 // Reserve pixels after ready_o has fallen.
 module contour_packer #(
     parameter int FractionBits = 3,
@@ -46,7 +46,7 @@ module contour_packer #(
   end
 
   logic [LevelBits-1:0] slope_level;
-  logic slope_valid, flags_valid, slope_marked, in_step, flush;
+  logic slope_valid, flags_valid, slope_marked, in_step, flush_q;
   logic lost_q, late_q;  // all is dropped; flags are dropped until their mark
   logic signed [SlopeBits-1:0] gx, gy;
   logic [MagnitudeBits-1:0] magnitude;
@@ -57,7 +57,7 @@ module contour_packer #(
       .Depth(Depth)
   ) i_slope (
       .clk_i,
-      .rst_ni(rst_ni && !flush),
+      .rst_ni(rst_ni && !flush_q),
       .push_i(slope_valid_i),
       .data_i({slope_first_i, slope_data_i}),
       .level_o(slope_level),
@@ -71,7 +71,7 @@ module contour_packer #(
       .Depth(Depth)
   ) i_flags (
       .clk_i,
-      .rst_ni(rst_ni && !flush),
+      .rst_ni(rst_ni && !flush_q),
       .push_i(flags_valid_i),
       .data_i({flags_data_i, flags_sof_i && flags_sol_i, flags_eol_i}),
       .level_o(),
@@ -81,18 +81,18 @@ module contour_packer #(
   );
 
   assign in_step = !lost_q && slope_marked == m_axis_tuser_o;
-  assign flush = slope_begins_i && (lost_q || late_q) && !m_axis_tvalid_o;
   always_ff @(posedge clk_i) begin
+    flush_q <= rst_ni && slope_begins_i && (lost_q || late_q) && !m_axis_tvalid_o;
     if (!rst_ni) begin
       {lost_q, late_q} <= '0;
-    end else if (flush) begin
+    end else if (flush_q) begin
       {lost_q, late_q} <= 2'b01;
     end else if (slope_valid && flags_valid && !lost_q) begin
       late_q <= !in_step && slope_marked;
       lost_q <= !in_step && !slope_marked;
     end
   end
-  assign m_axis_tvalid_o = flags_valid && slope_valid && in_step;
+  assign m_axis_tvalid_o = flags_valid && slope_valid && in_step && !flush_q;
   assign m_axis_tdata_o = {8'b0, 16'(gy), 16'(gx), 16'(magnitude), 6'b0, first, contour};
 
   always_ff @(posedge clk_i) begin

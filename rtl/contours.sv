@@ -6,10 +6,10 @@
 //         \-> slope -> slope_*
 //
 //   noise_floor_i, mean_limit_i, support_i   thresholds, see first_contour, ridge
-//   slot in, data_i    pixels, see slot_tracker; in_row_i the column belongs to its row; before_last_i
+//   slot in, data_i    pixels, see gradient; in_row_i the column belongs to its row; before_last_i
 //                      both widths - 2
 //   slope_*            {magnitude, gy, gx} of each real pixel, raster order, slope_first_o at a frame's
-//                      first, slope_begins_o in the clock before; some clocks ahead of
+//                      first, slope_begins_o two clocks before; some clocks ahead of
 //   slot out, data_o   {first, contour}, eol_o last column, in_row_o a column of the row; see second_contour
 //
 // Latency 8 rows + 8 columns + 27 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.

@@ -6,8 +6,8 @@
 //   step       neighbour along the gradient: 0 horizontal (2 |gy| < |gx|), 1 vertical
 //              (2 |gx| < |gy|), else 2 falling (gx and gy of one sign), 3 rising
 //
-//   slot in, out      see slot_tracker; in_row_i the column belongs to its row; data_o = {step,
-//                     magnitude} of the centre pixel, one clock behind its slot
+//   slot in, out      see slot_tracker; in_row_i the column belongs to its row; data_i one pixel, data_o =
+//                     {step, magnitude} of the centre pixel, each one clock behind its slot
 //   tail_column_o     in the clocks with tail_column_valid_o, the window's five oldest rows: around
 //                     the centre that leaves second_contour, for slope
 //   tail_*            one clock later, the slot stream six rows back
@@ -46,9 +46,8 @@ module gradient #(
   localparam int Latency = 6;
 
   logic valid, sol, sof, is_real, in_frame, in_frame_late;
-  logic [7:0] pixel_q;
   logic in_row_q;
-  always_ff @(posedge clk_i) {in_row_q, pixel_q} <= {in_row_i, data_i};
+  always_ff @(posedge clk_i) in_row_q <= in_row_i;
   logic [1:0] fault;
   logic [39:0] column;
   logic [8*(Rows-10)-1:0] unused_rows;
@@ -66,7 +65,7 @@ module gradient #(
       .fault_i,
       .within_i(in_row_q),
       .before_last_i((2 * $clog2(MaxWidthPx))'(0)),
-      .data_i(pixel_q),
+      .data_i,
       .side_i(1'b0),
       .column_valid_o(tail_column_valid_o),
       .column_o({column, unused_rows, tail_column_o}),

@@ -124,11 +124,17 @@ module ridge #(
   end
 
   // Clock 1 and two columns: what the centre column holds, in step with the tracker's centre.
-  logic [8:0] centre_q;
+  logic [M-1:0] newest_q;
+  logic [1:0] floor_q;
+  logic [5:0] centre_q;
   logic [M:0] above_floor;
-  assign above_floor = {1'b0, m4} - {1'b0, noise_floor_i};
+  assign above_floor = {1'b0, newest_q} - {1'b0, noise_floor_i};
   always_ff @(posedge clk_i) begin
-    if (valid1) centre_q <= {centre_q[5:0], !above_floor[M], first[4], crest2};
+    if (valid1) begin
+      newest_q <= m4;
+      floor_q  <= {floor_q[0], !above_floor[M]};
+      centre_q <= {centre_q[3:0], first[4], crest2};
+    end
   end
 
   // Clock 5.
@@ -139,7 +145,7 @@ module ridge #(
       .Clocks(Latency)
   ) i_flags (
       .clk_i,
-      .data_i({centre_q[8:7], centre_q[6] && in_frame}),
+      .data_i({floor_q[1], centre_q[5], centre_q[4] && in_frame}),
       .data_o({flags_late, crest_late})
   );
   assign data_o = {flags_late, crest_late && !short_q};

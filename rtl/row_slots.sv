@@ -12,7 +12,7 @@
 //
 //   line_*       announcements of frame_guard; before_last_i: both widths - 2, line_tag_i which one
 //   width_free_o no line of the width that the line sent last does not have is announced or in flight
-//   read_o, restart_o, unread_o   to pixel_ring, whose data come with the slot out
+//   read_o, restart_o, unread_o   to pixel_ring; read_o one clock ahead of the slot out
 //   go_i         a beat may be sent in this clock (room for it is sure)
 //   idle_i       no input for 16 clocks;  switch_i: frame_guard waits for drained_o
 //   drained_o    no frame in flight, nothing announced

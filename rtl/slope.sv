@@ -8,7 +8,7 @@
 //   slot and column in   the tail of gradient's window, the slot one clock behind the column;
 //                        before_last_i both widths - 2, see slot_tracker
 //   valid_o, data_o      {magnitude, gy, gx} of the real pixels of every frame, in raster order;
-//                        first_o: a frame's first; begins_o: it comes with the next clock
+//                        first_o: a frame's first; begins_o: it comes two clocks later
 //
 // Latency 2 columns + 8 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
@@ -88,17 +88,25 @@ module slope #(
       .data_i(in_frame),
       .data_o(in_frame_late)
   );
-  logic valid8, first8;
-  assign begins_o = valid8 && first8;
-  always_ff @(posedge clk_i) {valid_o, first_o} <= {rst_ni && valid8, first8};
+  logic valid6, first6;
+  assign begins_o = valid6 && first6;
   delay_line #(
       .Width (2),
-      .Clocks(4)
+      .Clocks(3)
   ) i_beat (
       .clk_i,
       .rst_ni,
       .data_i({valid && in_row && (is_real || sof), sof && sol}),
-      .data_o({valid8, first8})
+      .data_o({valid6, first6})
+  );
+  delay_line #(
+      .Width (2),
+      .Clocks(2)
+  ) i_late (
+      .clk_i,
+      .rst_ni,
+      .data_i({valid6, first6}),
+      .data_o({valid_o, first_o})
   );
 
   // Clocks 7, 8: the vector waits for the magnitude.

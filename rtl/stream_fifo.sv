@@ -3,11 +3,11 @@
 // FIFO in block RAM whose writer watches the level instead of a ready.
 //
 //   push_i, data_i  one entry in; the writer keeps level_o below Depth
-//   level_o         entries held, one clock late
-//   m_*             stream out (AXI4-Stream handshake)
+//   level_o         entries in the memory, one clock late; one more may be on offer
+//   m_*             stream out (AXI4-Stream handshake), from registers: a block RAM's output comes late
 //
-// Latency 2 clocks, throughput 1 entry per clock. The pointers run modulo 2 Depth; the memory is
-// always read at the address that is next to be offered, so its output register is m_tdata_o.
+// Latency 3 clocks, throughput 1 entry per clock. Positions run modulo 2 Depth; the memory is always
+// read at the one whose entry is offered next.
 module stream_fifo #(
     parameter int Width = 36,  // payload, bits
     parameter int Depth = 256  // entries, a power of two
@@ -26,25 +26,33 @@ module stream_fifo #(
   end
   localparam int AddressBits = $clog2(Depth);
 
-  logic [AddressBits:0] write_q, read_q, read_d, level;
-  logic pop;
+  // There: the entry at read_q is at the memory's output; fetch: it is offered from the next clock on.
+  logic [AddressBits:0] write_q, read_q, read_d, after_q, level;  // after: read_q + 1
+  logic [Width-1:0] entry;
+  logic there_q, free, fetch;
 
-  assign pop = m_tvalid_o && m_tready_i;
-  assign read_d = read_q + (AddressBits + 1)'(pop);
+  assign free = !m_tvalid_o || m_tready_i;
+  assign fetch = there_q && free;
+  assign read_d = fetch ? after_q : read_q;
   assign level = write_q - read_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q    <= '0;
       read_q     <= '0;
+      after_q    <= (AddressBits + 1)'(1);
       level_o    <= '0;
+      there_q    <= 1'b0;
       m_tvalid_o <= 1'b0;
     end else begin
       write_q    <= write_q + (AddressBits + 1)'(push_i);
       read_q     <= read_d;
+      after_q    <= after_q + (AddressBits + 1)'(fetch);
       level_o    <= level;
-      m_tvalid_o <= |level[AddressBits:1] || (level[0] && !pop);
+      there_q    <= |level[AddressBits:1] || (level[0] && !fetch);
+      m_tvalid_o <= there_q || !free;
     end
+    if (free) m_tdata_o <= entry;
   end
 
   line_memory #(
@@ -56,7 +64,7 @@ module stream_fifo #(
       .waddr_i(write_q[AddressBits-1:0]),
       .wdata_i(data_i),
       .raddr_i(read_d[AddressBits-1:0]),
-      .rdata_o(m_tdata_o)
+      .rdata_o(entry)
   );
 
   // Handshake: an offered entry stays, unchanged, until it is taken; the writer never overruns.

@@ -15,7 +15,7 @@
 //              line, 1 bad height, 2 smaller than 5 rows, 3 vertices lost; tlast on it
 //
 // A record waits as three words of 16 bits, which fills a block RAM of any family better than one
-// of 46. Latency 7 clocks, throughput 1 record per 3 clocks: vertices are never nearer than three
+// of 46. Latency 8 clocks, throughput 1 record per 3 clocks: vertices are never nearer than three
 // columns, and an end that comes closer behind a vertex waits. The frame tag counts frames modulo
 // 256.
 module vertex_packer #(
@@ -115,7 +115,7 @@ module vertex_packer #(
 
   // The first two words wait for the third. Where no word is left or on its way a record begins, so
   // that a word lost or made up by an upset spoils no further frame.
-  logic idle_q;
+  logic [1:0] idle_q;  // no word was left one and two clocks ago
   logic [1:0] have_q;
   logic [31:0] words_low_q;
   logic [47:0] out;
@@ -126,8 +126,8 @@ module vertex_packer #(
   assign word_ready = m_axis_tready_i || have_q != 2'd2;
   always_ff @(posedge clk_i) begin
     if (word_valid && have_q != 2'd2) words_low_q <= {word, words_low_q[31:16]};
-    idle_q <= words_q == '0;
-    if (!rst_ni || (idle_q && words_q == '0 && !word_valid)) have_q <= '0;
+    idle_q <= {idle_q[0], words_q == '0};
+    if (!rst_ni || (idle_q == '1 && words_q == '0 && !word_valid)) have_q <= '0;
     else if (word_valid && word_ready) have_q <= have_q == 2'd2 ? 2'd0 : have_q + 2'd1;
   end
 
@@ -154,7 +154,7 @@ module vertex_packer #(
       assert (!held_q || (m_axis_tvalid_o && m_axis_tdata_o == held_data_q));
       assert (!(vertex_valid_i && (end_valid_i || end_waits_q || words_q[1])));
       assert (!(end_valid_i && end_waits_q));
-      assert (!(idle_q && words_q == '0 && !word_valid) || have_q == '0);
+      assert (!(idle_q == '1 && words_q == '0 && !word_valid) || have_q == '0);
     end
   end
 endmodule

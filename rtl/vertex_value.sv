@@ -43,11 +43,13 @@ module vertex_value #(
 
   logic in_row_q;
   always_ff @(posedge clk_i) in_row_q <= in_row_i;
-  logic [34:0] column;
+  // In the window each direction carries one more bit: whether it is a branch pixel.
+  logic [39:0] column;
+  logic [34:0] directions;
   logic column_valid, valid, sol, sof, is_real, in_frame;
   logic [1:0] fault;
   line_window #(
-      .Width     (7),
+      .Width     (8),
       .MaxWidthPx(MaxWidthPx)
   ) i_window (
       .clk_i,
@@ -59,7 +61,7 @@ module vertex_value #(
       .fault_i,
       .within_i(in_row_q),
       .before_last_i((2 * $clog2(MaxWidthPx))'(0)),
-      .data_i,
+      .data_i({|data_i[6:5], data_i}),
       .side_i(1'b0),
       .column_valid_o(column_valid),
       .column_o(column),
@@ -92,15 +94,15 @@ module vertex_value #(
   logic [4:0] on;
   logic [14:0] radial;
   for (genvar j = 0; j < 5; j++) begin : gen_rows
-    assign on[j] = |column[7*j+5+:2];
+    assign {on[j], directions[7*j+:7]} = column[8*j+:8];
   end
   for (genvar i = 0; i < 5; i++) begin : gen_columns
-    assign radial[i]    = on[0] && along(column[4:0], 14 - i);
-    assign radial[10+i] = on[4] && along(column[32:28], 2 + i);
+    assign radial[i]    = on[0] && along(directions[4:0], 14 - i);
+    assign radial[10+i] = on[4] && along(directions[32:28], 2 + i);
   end
-  assign radial[9:5] = {on[3] && along(column[25:21], 7), on[3] && along(column[25:21], 1),
-                        on[2] && along(column[18:14], 0), on[1] && along(column[11:7], 9),
-                        on[1] && along(column[11:7], 15)};
+  assign radial[9:5] = {on[3] && along(directions[25:21], 7), on[3] && along(directions[25:21], 1),
+                        on[2] && along(directions[18:14], 0), on[1] && along(directions[11:7], 9),
+                        on[1] && along(directions[11:7], 15)};
 
   logic [3:0] branches, group;
   logic [2:0] two;
@@ -127,20 +129,20 @@ module vertex_value #(
   );
 
   // Clocks 1-3: the directions' window follows two clocks behind the bits.
-  logic [34:0] column_late;
+  logic [34:0] directions_late;
   logic [174:0] window_q;
   logic column_late_valid;
   delay_line #(
       .Width (36),
       .Clocks(2)
-  ) i_column (
+  ) i_directions (
       .clk_i,
       .rst_ni,
-      .data_i({column_valid, column}),
-      .data_o({column_late_valid, column_late})
+      .data_i({column_valid, directions}),
+      .data_o({column_late_valid, directions_late})
   );
   always_ff @(posedge clk_i) begin
-    if (column_late_valid) window_q <= {column_late, window_q[174:35]};
+    if (column_late_valid) window_q <= {directions_late, window_q[174:35]};
   end
 
   // Window pixel (5 column + row) of ring pixel k.

@@ -16,7 +16,7 @@
 //                      input register; with hold_i 1 it keeps those of the frame before
 //   event_o, frame_done_o, sent_o, lost_o       for counters
 //
-// Latency to the contour stream: 1 + 8 rows and 42 clocks; throughput 1 pixel per clock. Border and bad
+// Latency to the contour stream: 1 + 8 rows and 43 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
     parameter int View         = 0,
@@ -161,6 +161,12 @@ module view_pipeline #(
       .in_row_o(slot_in_row)
   );
 
+  // The ring reads a clock later; where a line is committed in between, its restart would be wrong.
+  logic read_q, restart_q;
+  always_ff @(posedge clk_i) begin
+    read_q    <= rst_ni && read;
+    restart_q <= rst_ni && restart && !pixel_commit;
+  end
   pixel_ring #(
       .MaxWidthPx (MaxWidthPx),
       .AddressBits($clog2(MaxWidthPx + 16))
@@ -173,8 +179,8 @@ module view_pipeline #(
       .step_i(pixel_step),
       .commit_i(pixel_commit),
       .ready_o(ring_ready),
-      .read_i(read),
-      .restart_i(restart),
+      .read_i(read_q),
+      .restart_i(restart_q),
       .unread_i(unread),
       .data_o(slot_data)
   );

@@ -31,9 +31,10 @@ module stream_fifo_properties (
     assume (!push || (level + 3'(push_late_q) < 3'd4 && rst_ni));
   end
 
+  // One more entry than the memory holds.
   queue_properties #(
       .Width(2),
-      .Depth(4)
+      .Depth(5)
   ) queue (
       .clk_i,
       .rst_ni,
