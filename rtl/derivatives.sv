@@ -38,6 +38,10 @@ module derivatives (
   logic signed [9:0] w2_q, w_q;
   logic signed [11:0] r2_q, e2_q, r_q, e_q, f_q;
   logic signed [14:0] r6_q;
+  // 6 r has the sign of r. Below it 4 r + 2 r without sign bits: a carry cell whose operands are one net can
+  // make nextpnr 0.4's router run for ever.
+  logic [13:0] r6_low;
+  assign r6_low = {1'b0, r2_q[10:0], 2'b0} + {1'b0, r2_q, 1'b0};
   always_ff @(posedge clk_i) begin
     valid_q <= {valid_q[1:0], valid_i};
     outer_q <= {1'b0, column_i[7:0]} + {1'b0, column_i[39:32]};
@@ -57,7 +61,7 @@ module derivatives (
     s6_q <= {1'b0, s2_q, 2'b0} + {2'b0, s2_q, 1'b0};
     u_q  <= s2_q - {3'b0, ~not_m2_q};
     t_q  <= 13'(s2_q) + {3'b0, c2_q, 2'b0};
-    r6_q <= 15'($signed({r2_q, 2'b0})) + 15'($signed({r2_q, 1'b0}));
+    r6_q <= {r2_q[11], r6_low};
     f_q  <= e2_q + 12'(p2_q);
     {s_q, r_q, w_q, e_q} <= {s2_q, r2_q, w2_q, e2_q};
   end

@@ -86,8 +86,8 @@ module frame_guard #(
   // For what is in flight to leave wait a start of frame, until new settings are loaded, and a first
   // line, taken but not announced.
   logic settings_wait_q, settings_loaded_q, width_wait_q, go, settings_stop;
-  logic take, arrival, start, step, commit, bad, timed_out, timeout, end_now;
-  logic in_line, fits, must_end, same_width, last_row, over_max, few_rows, height_known;
+  logic take, arrival, start, step, whole, ends, commit, timed_out, end_now;
+  logic in_line, fits, must_end, same_width, last_row, over_max, few_rows, fifth, height_known;
   line_checks #(
       .MaxWidthPx (MaxWidthPx),
       .MaxHeightPx(MaxHeightPx)
@@ -111,6 +111,7 @@ module frame_guard #(
       .last_row_o(last_row),
       .over_max_o(over_max),
       .few_rows_o(few_rows),
+      .fifth_o(fifth),
       .height_known_o(height_known)
   );
 
@@ -121,12 +122,13 @@ module frame_guard #(
   assign start = take && sof;
   assign arrival = in_valid && sof && go;  // ends the frame before, also while it waits itself
   assign step = take && !sof && active_q;
-  assign commit = step && eol && fits;
-  assign bad = step && (eol ? !fits : must_end);
-  assign timeout = timed_out && !in_valid && go && active_q && begun_q && !in_line &&
-                   !height_known;
-  // The frame that has begun ends with this pixel (or, by timeout, without one).
-  assign end_now = timeout || (active_q && begun_q && (arrival || bad || (commit && last_row)));
+  // What the pixel in front does once there is room: it makes a line whole; the frame ends with it or, by
+  // time-out, without one.
+  assign whole = in_valid && !sof && active_q && eol && fits;
+  assign ends = in_valid ? sof || (eol ? !fits || last_row : must_end)
+                         : timed_out && begun_q && !in_line && !height_known;
+  assign commit = go && whole;
+  assign end_now = go && active_q && begun_q && ends;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -135,22 +137,9 @@ module frame_guard #(
       settings_wait_q   <= arrival && settings_stop && !load_settings_o;
       settings_loaded_q <= load_settings_o || (settings_loaded_q && !take);
       width_wait_q      <= (commit && !begun_q && !same_width) || (width_wait_q && !width_free_i);
-      if (start) begin
-        active_q <= enable_i && !eol;
-        begun_q  <= 1'b0;
-        quiet_q  <= 1'b1;
-      end else if (commit) begin
-        begun_q  <= 1'b1;
-        active_q <= !end_now;
-        quiet_q  <= !end_now;
-      end else if (step) begin
-        active_q <= !bad;
-      end else if (take) begin
-        quiet_q <= 1'b1;
-      end else if (timeout || arrival) begin
-        active_q <= 1'b0;
-        quiet_q  <= 1'b0;
-      end
+      active_q <= start ? enable_i && !eol : active_q && !(go && ends);
+      begun_q  <= commit || (begun_q && !start);
+      quiet_q  <= (take && (sof || !active_q)) || (quiet_q && !(end_now && (whole || !in_valid)));
     end
   end
   assign switch_o = settings_wait_q || (width_wait_q && !width_free_i);
@@ -170,11 +159,12 @@ module frame_guard #(
   always_ff @(posedge clk_i) begin
     announce_q <= rst_ni && (commit || end_now || (announce_q && width_wait_q));
     if (go) begin
-      line_whole_o <= commit;
+      line_whole_o <= whole;
       line_first_o <= !begun_q;
-      line_last_o  <= end_now;
-      fault_q[0]   <= bad ? !over_max : arrival && in_line;
-      fault_q[1]   <= bad ? over_max : arrival && !in_line && height_known;
+      line_last_o  <= active_q && begun_q && ends;
+      // Of a frame's end only.
+      fault_q[0]   <= in_valid && (sof ? in_line : !whole && !over_max);
+      fault_q[1]   <= in_valid && (sof ? !in_line && height_known : !whole && over_max);
     end
   end
 
@@ -197,7 +187,8 @@ module frame_guard #(
     event_o[TooTall]    <= step && eol && begun_q && same_width && !fits;
     event_o[NoStart]    <= take && !sof && !active_q && !quiet_q;
     event_o[EarlyStart] <= arrival && active_q && (in_line || height_known);
-    event_o[TooFewRows] <= end_now && few_rows && !bad && !(arrival && (in_line || height_known));
+    event_o[TooFewRows] <= end_now && few_rows &&
+                           (!in_valid || (sof ? !in_line && !height_known : whole && !fifth));
   end
 
   always_ff @(posedge clk_i) begin

@@ -12,9 +12,9 @@
 //   must_end_o       the next pixel must end its line: at MaxWidthPx or at the width
 //   same_width_o     the next pixel stands in the width's last column
 //   before_last_o    width - 2 of the first and of the second width, second_o which one is in force
-//   last_row_o       the line that is being received is the frame's last by frame_height_i
+//   last_row_o       the line that is being received, not the first, is the frame's last by frame_height_i
 //   over_max_o       it is one more than MaxHeightPx
-//   few_rows_o       the frame has fewer than 5 lines, with the one that is committed now
+//   few_rows_o       the frame has fewer than 5 lines; fifth_o: it has 5 with the one being received
 //   height_known_o   frame_height_i was not 0
 //
 // Facts of a column hold from the clock after the pixel before, those of a line three clocks after the
@@ -42,6 +42,7 @@ module line_checks #(
     output logic                            last_row_o,
     output logic                            over_max_o,
     output logic                            few_rows_o,
+    output logic                            fifth_o,
     output logic                            height_known_o
 );
   if (MaxWidthPx < 5 || MaxWidthPx > 4080 || MaxHeightPx < 5 || MaxHeightPx > 4095) begin : gen_illegal
@@ -82,15 +83,16 @@ module line_checks #(
 
   logic [11:0] line_q, height_q;  // line: 1 for a frame's first
   logic five_q;
-  assign few_rows_o = !five_q && !(commit_i && line_q[2:0] == 3'd5);
+  assign few_rows_o = !five_q;
   always_ff @(posedge clk_i) begin
     if (step_i && sof_i) line_q <= 12'd1;
     else if (commit_i) line_q <= line_q + 12'd1;
     // Not taken back by a start of frame, which ends the frame before.
-    if (commit_i) five_q <= begun_i && !few_rows_o;
+    if (commit_i) five_q <= begun_i && (five_q || fifth_o);
+    fifth_o <= line_q[2:0] == 3'd5;
     if (!rst_ni || (step_i && sof_i && !hold_i)) height_q <= frame_height_i;
     height_known_o <= height_q != '0;
-    last_row_o     <= height_known_o && line_q == height_q;
+    last_row_o     <= begun_i && height_known_o && line_q == height_q;
     over_max_o     <= line_q == 12'(MaxHeightPx + 1);
   end
 endmodule

@@ -12,7 +12,7 @@
 // restart_i brings a reader or writer back that an upset has moved; and since a line alone never
 // fills the ring, it is never full while nothing waits in it.
 //
-// Latency 1 clock, 1 pixel per clock on both sides. The room ends 8 pixels early, since it is known some
+// Latency 1 clock, 1 pixel per clock on both sides. The room ends 8 pixels early, since it is known two
 // clocks late.
 module pixel_ring #(
     parameter int MaxWidthPx  = 1920,
@@ -38,6 +38,7 @@ module pixel_ring #(
   // Positions have one bit more than an address: their difference tells empty from full. A line begins
   // at commit_q, the one before at line_q.
   logic [AddressBits:0] write_q, commit_q, line_q, read_q, here, next, filled;
+  logic nearly_full_q;
   assign here   = first_i ? commit_q : write_q;
   assign next   = here + (AddressBits + 1)'(1);
   assign filled = write_q - read_q;
@@ -51,8 +52,9 @@ module pixel_ring #(
       if (commit_i) {line_q, commit_q} <= {commit_q, next};
       if (restart_i) read_q <= line_q;
       else if (read_i) read_q <= read_q + (AddressBits + 1)'(1);
-      ready_o <= !(unread_i && (filled[AddressBits] || (&filled[AddressBits-1:3])));
+      ready_o <= !(unread_i && nearly_full_q);
     end
+    nearly_full_q <= rst_ni && (filled[AddressBits] || &filled[AddressBits-1:3]);
   end
 
   line_memory #(

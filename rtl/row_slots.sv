@@ -74,6 +74,7 @@ module row_slots #(
 
   // The slot being sent: column 0, last column; its row: first of a frame, last column, still within.
   logic busy_q, real_q, sof_q, sol_q, last_q, row_last_q, in_row_q;
+  logic over_q;                                // a void row that nothing needs any more
   logic ended_q;                               // no frame is open
   logic second_width_q, second_slot_q;         // which of the widths its row and its slot have
   logic [1:0] fault_q, slot_fault_q;
@@ -84,7 +85,7 @@ module row_slots #(
   logic send, free, start_line, start_void, other_width, left, other_left, nothing_announced;
   assign nothing_announced = !head_valid && !line_valid_i;
   assign send = busy_q && go_i;
-  assign free = !busy_q || (send && last_q) || (!real_q && left);
+  assign free = !busy_q || (go_i && last_q) || over_q;
   assign start_line = free && head_valid && head_whole;
   assign start_void = free && nothing_announced && !left && ((ended_q && idle_i) || switch_i);
   assign other_width = start_line && head_tag != second_width_q;
@@ -136,10 +137,11 @@ module row_slots #(
     end
     if (head_valid && head_ready && head_last) fault_q <= head_fault;
     if (!rst_ni) begin
-      {busy_q, drained_o, width_free_o, unread_o, second_width_q} <= '0;
+      {busy_q, over_q, drained_o, width_free_o, unread_o, second_width_q} <= '0;
       ended_q <= 1'b1;
     end else begin
       busy_q <= start_line || start_void || (busy_q && !free);
+      over_q <= busy_q && !real_q && left && !start_line;
       if (start_line) second_width_q <= head_tag;
       if (head_valid && head_ready) ended_q <= head_last;
       drained_o    <= left && !busy_q && nothing_announced;

@@ -154,7 +154,7 @@ module vertex_peak #(
   logic [20:0] d7_q;
   logic [34:0] left7_q;
   logic valid6, valid7, sol7, sof7, rows_inside7, inside_q, candidate_q;
-  logic [4:0] exceeds_q;
+  logic [1:0] exceeds_q;
   assign above_plus1 = above4 + 7'd1;
   assign at_plus1 = at5_q + 7'd1;
   function automatic logic exceeds_centre(input logic [6:0] score);
@@ -177,9 +177,9 @@ module vertex_peak #(
       left7_q <= {left7_q[27:0], left6_q};
     end
 
-    exceeds_q <= {exceeds_centre(right7_q[6:0]), exceeds_centre(right7_q[13:7]),
-                  exceeds_centre(d7_q[20:14]), exceeds_centre(left7_q[27:21]),
-                  exceeds_centre(left7_q[34:28])};
+    exceeds_q <= {exceeds_centre(right7_q[6:0]) || exceeds_centre(right7_q[13:7]) ||
+                  exceeds_centre(d7_q[20:14]),
+                  exceeds_centre(left7_q[27:21]) || exceeds_centre(left7_q[34:28])};
     candidate_q       <= rst_ni && valid7 && inside_q && ~not_centre_q >= LeastScore;
     vertex_strength_o <= ~not_centre_q;
   end

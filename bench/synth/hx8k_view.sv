@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One view on an iCE40 HX8K: view_pipeline with its settings on pins and the constant bits of its
-// streams left out, so that the ports fit the package's 206 pins.
+// streams left out, so that the ports fit the package's 206 pins. The reset comes from a register, as
+// behind a synchroniser, so that its paths count.
 module hx8k_view #(
     parameter int MaxWidthPx = 512
 ) (
@@ -30,14 +31,18 @@ module hx8k_view #(
   logic [15:0] sent, lost;
   assign m_axis_contour_tdata = {contour[50:40], contour[34:24], contour[16:8], contour[1:0]};
   assign m_axis_vertex_tdata = {vertex[63:8], vertex[0]};
-  always_ff @(posedge clk_i) event_o <= ^{events, frame_done, sent, lost};
+  logic reset_nq;
+  always_ff @(posedge clk_i) begin
+    reset_nq <= rst_ni;
+    event_o  <= ^{events, frame_done, sent, lost};
+  end
 
   view_pipeline #(
       .MaxWidthPx (MaxWidthPx),
       .MaxHeightPx(512)
   ) i_view (
       .clk_i,
-      .rst_ni,
+      .rst_ni(reset_nq),
       .enable_i(settings_i[0]),
       .hold_i(settings_i[1]),
       .frame_height_i(settings_i[2+:12]),

@@ -161,6 +161,7 @@ module frame_guard_properties #(
   (* hierconn *) wire [RingBits:0] \ring.line_q ;
   (* hierconn *) wire [RingBits:0] \ring.read_q ;
   (* hierconn *) wire [RingBits:0] \ring.here ;
+  (* hierconn *) wire \ring.nearly_full_q ;
 
   // The pixel of the watched column, as the ring holds it: of the line that comes in, and of the one
   // committed last.
@@ -298,7 +299,8 @@ module frame_guard_properties #(
       end
       assert (\ring.commit_q == base_q + (announced && line_whole ? 6'(width_next) : 6'd0));
       assert (\ring.write_q - \ring.commit_q <= 6'd6);
-      assert (fill <= 6'd25 && (!ring_ready || fill <= 6'd24) && waiting <= fill);
+      assert (fill <= 6'd26 && (!ring_ready || fill <= 6'd25) && waiting <= fill);
+      assert (\ring.nearly_full_q ? fill >= 6'd16 : fill <= 6'd24);
       assert (waiting <= waiting_q + 6'd6 && waiting_q <= waiting + 6'd1);
       assert (stall_q == '0 || (!waits && ring_ready));
       assert (stall_q <= (\dut.settings_loaded_q ? 3'd3 : \dut.settings_wait_q ? 3'd2 : 3'd1));
