@@ -262,7 +262,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.settings_wait_q ;
   (* hierconn *) wire \dut.settings_loaded_q ;
   (* hierconn *) wire \dut.announce_q ;
-  (* hierconn *) wire [20:0] \dut.idle_left_q ;
+  (* hierconn *) wire [10:0] \dut.left_low_q , \dut.left_high_q ;
   (* hierconn *) wire \dut.i_checks.in_line_o ;
   (* hierconn *) wire \dut.i_checks.fits_o ;
   (* hierconn *) wire \dut.i_checks.must_end_o ;
@@ -335,7 +335,7 @@ module frame_guard_properties #(
         assert (\dut.i_checks.five_q == (rows_next >= 3'd5));
       end
       if (Good) begin
-        assert (\dut.idle_left_q == 21'd16 - 21'(pause_q));
+        assert (\dut.left_low_q == 11'd16 - 11'(pause_q) && \dut.left_high_q == '0);
         assert (!open_q || last_col == width - 3'd1);
         assert (!active || !begun || (waits ? width_next == width : last_col == width - 3'd1));
         assert (height_q == 3'd0 || height_q == 3'd5 || height_q == 3'd6);
