@@ -61,13 +61,14 @@ module slot_tracker #(
 
   // Clock 0: the column; attributes {real, sof, fault} of the last rows, newest in the low bits.
   logic [ColBits-1:0] next_col_q;
-  logic sol1_q;
+  logic sol1_q, third1_q;  // clock 1: columns 0 and 2
   logic [4*(TailRows+1)-1:0] rows_q;
   assign col_o = sol_i ? '0 : next_col_q;
 
   always_ff @(posedge clk_i) begin
     valid1_o <= rst_ni && valid_i;
     sol1_q   <= sol_i;
+    third1_q <= !sol_i && next_col_q == ColBits'(2);
     col1_o   <= col_o;
     if (valid_i) next_col_q <= col_o + ColBits'(1);
     if (!rst_ni) begin
@@ -86,7 +87,7 @@ module slot_tracker #(
 
   always_ff @(posedge clk_i) begin
     valid_o     <= rst_ni && valid1_o;
-    sol_o       <= col1_o == ColBits'(2);
+    sol_o       <= third1_q;
     eol_o       <= within3_q && (!within2_q || col1_o == ColBits'(1));
     in_row_o    <= within3_q;
     inside_o    <= rows_inside && |col1_o[ColBits-1:2] && column_in_row;
@@ -95,7 +96,7 @@ module slot_tracker #(
     tail_sol_o  <= sol1_q;
     {tail_real_o, tail_sof_o, tail_fault_o} <= rows_q[4*TailRows+:4];
     if (!rst_ni) centre_q <= '0;
-    else if (valid1_o && col1_o == ColBits'(2)) centre_q <= rows_q[11:8];
+    else if (valid1_o && third1_q) centre_q <= rows_q[11:8];
   end
 
   // Clock 1: whether the newest column belongs to its row, and those one and two before.
