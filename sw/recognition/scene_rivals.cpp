@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The last part of the search: objects are held against what else might stand in their places.
 #include <algorithm>
+#include <set>
 
 #include "recognition/scene_search.hpp"
-#include "recognition/similar_shapes.hpp"
 
 namespace trihedron {
 namespace {
 
-/// Two answers are equally good when their log evidence differs by less than one independent answer
-/// of a contour is worth (log 0.95 / 0.1 + log 0.9 / 0.05): noise or a shadow can give or take one;
-/// or by less than this share of it, as poses alone spread the evidence of large objects.
-constexpr double kAmbiguous = 5, kAmbiguousShare = 0.02;
-/// Rivals for an object's place are looked at when their quick score reaches this share of its
-/// own, and so many of them.
-constexpr double kRivalShare = 0.7;
+/// So many rivals for an object's place are looked at.
 constexpr int kRivals = 3;
 /// Rounds until all objects stand in one scene: a chain of so many that hide one another.
 constexpr int kSettleRounds = 5;
@@ -22,24 +16,6 @@ constexpr int kSettleRounds = 5;
 constexpr double kRivalShareAlone = 0.4;
 /// Poses that differ by less than this share of the diameter are one answer.
 constexpr double kSameAnswer = 0.05;
-/// Poses of lookalikes are known to kCoincide of the diameter: how far contours are looked for, mm.
-const std::vector<double> kLookalikeReachesMm = {2.5, 1};
-/// Those of shapes stretched about their middle, mm: half of a tenth of 100 mm.
-const std::vector<double> kStretchedReachesMm = {5, 2.5, 1};
-/// Where more of the visible edges is found than this, no shape a tenth longer or shorter came so
-/// far (0.88): such claims are not held against them.
-constexpr double kSureShare = 0.9;
-/// Nor were those with nearly all the log odds that there can be.
-constexpr double kSureLogOdds = 9;
-
-bool sure(const Verdict& verdict) {
-  return verdict.found_share > kSureShare || verdict.log_odds > kSureLogOdds;
-}
-
-double ambiguity(double log_evidence) {
-  return std::max(kAmbiguous, kAmbiguousShare * log_evidence);
-}
-
 }  // namespace
 
 int SceneSearch::runner_up(int object) const {
@@ -95,71 +71,6 @@ void SceneSearch::add_turned(int winner) {
   }
 }
 
-/// The pose at which another shape in the winner's place gives more than `enough` log evidence:
-/// `pose`, or the one refined from there; or none.
-std::optional<Transform> SceneSearch::explains_more(int winner, const Model& shape,
-                                                    const Transform& pose,
-                                                    const std::vector<double>& reaches_mm,
-                                                    double enough) const {
-  int position = 0;
-  std::vector<PlacedModel> context = context_of(winner, position);
-  context[position] = {&shape, pose};
-  const auto evidence = [&] {
-    return log_against_chance(input_.maps, collect_evidence(input_.views, context, position));
-  };
-  if (evidence() > enough) return pose;
-  RefinementOptions near;
-  near.reaches_mm = reaches_mm;
-  near.exact_rounds = 1;
-  const RefinedPose refined = refine(input_.views, context, position, near);
-  if (!refined.converged) return std::nullopt;
-  context[position].world_from_model = refined.world_from_model;
-  if (evidence() > enough) return refined.world_from_model;
-  return std::nullopt;
-}
-
-/// Whether the mirror image in the winner's place would explain the scene as well: then nothing
-/// that was seen tells which of the two it is.
-SceneSearch::Doubt SceneSearch::mirrored_as_good(int winner) const {
-  const Lookalikes& alike = input_.facts.lookalikes(candidates_[winner].model);
-  if (!alike.mirrored) return {};
-  const PlacedModel place = placed(winner);
-  const double own = at_a_glance(place);
-  const double mine = candidates_[winner].verdict.log_against_chance;
-  const double enough = mine - ambiguity(mine);
-  for (const Transform& motion : alike.mirrored_onto) {
-    const Transform pose = place.world_from_model * motion;
-    if (at_a_glance({&*alike.mirrored, pose}) < kRivalShare * own) continue;
-    const auto found = explains_more(winner, *alike.mirrored, pose, kLookalikeReachesMm, enough);
-    if (!found) continue;
-    return {"similar shape: the model's mirror image explains as much", {&*alike.mirrored, *found}};
-  }
-  return {};
-}
-
-/// Whether a similar shape would explain the scene better, and what differs.
-SceneSearch::Doubt SceneSearch::similar_is_better(int winner) {
-  int position = 0;
-  const std::vector<PlacedModel> context = context_of(winner, position);
-  const ObjectEvidence evidence = collect_evidence(input_.views, context, position);
-  const Verdict& verdict = candidates_[winner].verdict;
-  const auto better = [&](const SimilarShapes& similar, const std::vector<double>& reaches_mm) {
-    const double enough = verdict.log_against_chance + similar.log_choices;
-    for (const SimilarShape& shape : similar.shapes) {
-      const auto pose =
-          explains_more(winner, shape.model, shape.world_from_model, reaches_mm, enough);
-      if (!pose) continue;
-      shapes_.push_back(shape.model);
-      return Doubt{"similar shape: " + shape.what + " explains more", {&shapes_.back(), *pose}};
-    }
-    return Doubt{};
-  };
-  const Doubt doubt = better(similar_shapes(input_.views, input_.maps, context[position], evidence),
-                             kLookalikeReachesMm);
-  if (!doubt.reason.empty() || sure(verdict)) return doubt;
-  return better(stretched_shapes(context[position]), kStretchedReachesMm);
-}
-
 /// Judges every rival for the winner's place; the best accepted one, -1: none.
 int SceneSearch::best_rival(int winner) {
   int best = -1;
@@ -181,21 +92,15 @@ int SceneSearch::best_rival(int winner) {
   return best;
 }
 
-/// What speaks against an object that no accepted rival equals.
-SceneSearch::Doubt SceneSearch::doubt_about(int winner) {
-  const int next = runner_up(winner);
-  const double mine = candidates_[winner].verdict.log_against_chance;
-  if (next >= 0 && candidates_[next].verdict.log_against_chance > mine - ambiguity(mine)) {
-    return {"ambiguous: an answer that is refused explains as much", placed(winner)};
-  }
-  Doubt mirrored = mirrored_as_good(winner);
-  return mirrored.reason.empty() ? similar_is_better(winner) : mirrored;
-}
-
-/// Takes a claim back; something stands there all the same.
+/// Takes a claim back. Something stands there all the same, unless that was in doubt.
 void SceneSearch::withdraw(int i, const Doubt& doubt) {
+  const bool stands = candidates_[i].verdict.accepted;
   reject(i, doubt.reason);
-  instead_[i] = doubt.instead;
+  if (stands) {
+    instead_[i] = doubt.instead;
+  } else {
+    active_.erase(std::find(active_.begin(), active_.end(), i));
+  }
 }
 
 /// Holds an object against its rivals: one that explains clearly more takes its place, one that
@@ -208,13 +113,13 @@ void SceneSearch::settle_rivals(int winner) {
     const int rival = best_rival(winner);
     const double mine = candidates_[winner].verdict.log_against_chance;
     const double theirs = rival < 0 ? 0 : candidates_[rival].verdict.log_against_chance;
-    if (rival < 0 || theirs < mine - ambiguity(mine)) {
+    if (rival < 0 || theirs < mine - lead(winner)) {
       if (rival >= 0) reject(rival, kBetter);
       const Doubt doubt = doubt_about(winner);
       if (!doubt.reason.empty()) withdraw(winner, doubt);
       return;
     }
-    if (theirs - ambiguity(theirs) <= mine) {
+    if (theirs - lead(winner) <= mine) {
       reject(rival, kAsGood);
       withdraw(winner, {kAsGood, placed(winner)});
       return;
@@ -227,10 +132,7 @@ void SceneSearch::settle_rivals(int winner) {
 
 /// Holds all objects against their rivals. Whatever takes the place of one changes what its
 /// neighbours were judged beside, so they are asked again until all stand in one scene.
-void SceneSearch::settle_rivals() {
-  const std::vector<int> winners = active_;
-  for (int winner : winners) find_rivals(winner);
-  std::map<int, std::vector<int>> settled_in;
+void SceneSearch::settle_all(std::map<int, std::vector<int>>& settled_in) {
   const auto unsettled = [&](int i) {
     const auto last = settled_in.find(i);
     return last == settled_in.end() || last->second != standing_with(i);
@@ -242,7 +144,8 @@ void SceneSearch::settle_rivals() {
       if (!unsettled(i)) continue;
       judge(i);
       settled_in[i] = standing_with(i);
-      if (candidates_[i].verdict.accepted) {
+      const Verdict& verdict = candidates_[i].verdict;
+      if (verdict.accepted || verdict.doubtful) {
         settle_rivals(i);
       } else {
         dead_[i] = 1;
@@ -250,6 +153,82 @@ void SceneSearch::settle_rivals() {
       }
     }
   }
+}
+
+/// The best answer for a free place that was refused, but only just, and not asked before; -1:
+/// none.
+int SceneSearch::best_refused(const std::set<int>& asked) {
+  constexpr double kWorthAsking = 0.5;  // of the evidence it needs: its neighbours were others
+  int best = -1;
+  for (int i = 0; i < static_cast<int>(candidates_.size()); ++i) {
+    Candidate& candidate = candidates_[i];
+    const double before =
+        std::max(candidate.alone.log_against_chance, candidate.verdict.log_against_chance);
+    std::string reason;
+    if (before < kWorthAsking * kDoubtfulEvidence || asked.count(i) ||
+        std::count(active_.begin(), active_.end(), i) || below_table(candidate, reason) ||
+        std::any_of(active_.begin(), active_.end(), [&](int o) { return in_conflict(i, o); })) {
+      continue;
+    }
+    judge(i);
+    const Verdict& verdict = candidate.verdict;
+    if (!verdict.doubtful && !verdict.accepted) continue;
+    if (best < 0 || verdict.log_against_chance > candidates_[best].verdict.log_against_chance) {
+      best = i;
+    }
+  }
+  return best;
+}
+
+/// Whether the scene is explained better with the last object than without it, and all others
+/// hold. Otherwise they are as they were.
+bool SceneSearch::last_improves() {
+  const std::vector<Candidate> candidates = candidates_;
+  const std::map<int, std::vector<int>> judged_in = judged_in_;
+  double gain = candidates_[active_.back()].verdict.log_against_chance;
+  bool hold = true;
+  for (int i : objects()) {
+    if (i == active_.back()) continue;
+    gain -= candidates_[i].verdict.log_against_chance;
+    judge(i);
+    gain += candidates_[i].verdict.log_against_chance;
+    hold = hold && candidates_[i].verdict.accepted >= candidates[i].verdict.accepted;
+  }
+  if (hold && gain >= kDoubtfulEvidence) return true;
+  candidates_ = candidates;
+  judged_in_ = judged_in;
+  return false;
+}
+
+/// Adds an answer that its log odds alone refused and that leads all that is alike, which tells
+/// more. False: there is none.
+bool SceneSearch::reconsider(std::set<int>& asked) {
+  for (int i = best_refused(asked); i >= 0; i = best_refused(asked)) {
+    asked.insert(i);
+    const std::size_t before = active_.size();
+    active_.push_back(i);
+    find_rivals(i);
+    settle_rivals(i);
+    if (active_.size() == before) continue;
+    const int last = active_.back();
+    asked.insert(last);
+    const bool claimed = instead_.count(last) == 0;
+    if (claimed && last_improves()) return true;
+    if (claimed) reject(last, "partial: others explain what it would");
+    instead_.erase(last);
+    active_.pop_back();
+  }
+  return false;
+}
+
+void SceneSearch::settle_rivals() {
+  const std::vector<int> winners = active_;
+  for (int winner : winners) find_rivals(winner);
+  std::map<int, std::vector<int>> settled_in;
+  std::set<int> asked;
+  do {
+    settle_all(settled_in);
+  } while (reconsider(asked));
 }
 
 }  // namespace trihedron

@@ -4,6 +4,7 @@
 #include <list>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -76,10 +77,22 @@ class SceneSearch {
   Doubt similar_is_better(int winner);
   int best_rival(int winner);
   Doubt doubt_about(int winner);
+  double lead(int winner) const;
   void withdraw(int i, const Doubt& doubt);
   void settle_rivals(int winner);
   bool is_rival(int i, int winner);
+  void settle_all(std::map<int, std::vector<int>>& settled_in);
+  int best_refused(const std::set<int>& asked);
+  bool last_improves();
+  bool reconsider(std::set<int>& asked);
   void settle_rivals();
+
+  /// Other poses and shapes in an object's place are looked at when their quick score reaches this
+  /// share of its own.
+  static constexpr double kRivalShare = 0.7;
+  /// How far contours are looked for around the poses of lookalikes, mm: they are known to
+  /// kCoincide of the diameter.
+  static const std::vector<double> kLookalikeReachesMm;
 
   SceneInput& input_;
   SceneSearchOptions options_;

@@ -238,6 +238,8 @@ double log_odds(const Verdict& verdict) {
   return kPerEvidence * evidence + kPerUnseen * unseen - kPerDisplaced * displaced + kNone;
 }
 
+/// Fewer false alarms than one in a thousand scenes, as log10.
+constexpr double kAccident = -3;
 /// A claim needs these log odds: e^1.5, as five to one, on the scenes above, a tenth of which are
 /// made to deceive.
 constexpr double kLeastLogOdds = 1.5;
@@ -275,7 +277,7 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
     if (alternative.log_odds > out.displaced.log_odds) out.displaced = alternative;
   }
   out.log_odds = log_odds(out);
-  if (out.log10_false_alarms > -3) {
+  if (out.log10_false_alarms > kAccident) {
     out.reason = text("chance: %.0f %% of the visible edges found, as random poses do (10^%.1f)",
                       100 * out.found_share, out.log10_false_alarms);
   } else if (out.log_odds >= kLeastLogOdds) {
@@ -292,6 +294,8 @@ Verdict verify(const std::vector<FieldView>& views, const std::vector<SpreadMap>
              100 * out.found_share, 100 * evidence.displaced_px / out.visible_px);
   }
   out.accepted = out.reason.empty();
+  out.doubtful = !out.accepted && out.log10_false_alarms <= kAccident &&
+                 out.log_against_chance >= kDoubtfulEvidence;
   return out;
 }
 

@@ -30,6 +30,8 @@ struct Verdict {
   double found_share = 0;  ///< of the visible edge length
   double visible_px = 0;   ///< edge length asked for
   bool accepted = false;
+  /// Not accepted, but worth being held against all that is alike.
+  bool doubtful = false;
   std::string reason;  ///< one line, why not; empty when accepted
 };
 
@@ -43,6 +45,9 @@ PieceOdds piece_odds(const std::vector<SpreadMap>& chance, const PieceEvidence& 
 
 /// Log likelihood ratio of the evidence, object against chance.
 double log_against_chance(const std::vector<SpreadMap>& chance, const ObjectEvidence& evidence);
+
+/// Least log evidence of a doubtful object.
+inline constexpr double kDoubtfulEvidence = 40;
 
 struct VerificationOptions {
   double tests = 1e4;  ///< poses that were in question
