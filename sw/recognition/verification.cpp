@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recognition/verification.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <utility>
+
+#include "recognition/piece_likelihood.hpp"
 
 namespace trihedron {
 namespace {
@@ -16,57 +13,9 @@ namespace {
 /// Points of one piece are not independent: a contour that meets one meets its neighbours. One
 /// independent answer per this length, px.
 constexpr double kIndependentPx = 20;
-/// Pieces shorter than this say nothing of their own: contours are rounded at junctions, px.
-constexpr double kShortPx = 10;
-/// Independent answers that one piece can give about its model edge at most.
-constexpr double kAnswers = 5;
-
-/// Probabilities of an answer (found, displaced, flat) at a point of a predicted edge, and of a
-/// faint step along the whole piece.
-using Answers = std::array<double, 4>;
-/// ... where the edge is as predicted and has contrast,
-constexpr Answers kPresent = {0.96, 0.01, 0.03, 0.03};
-/// ... where the surfaces on both sides are nearly equally bright,
-constexpr Answers kWeak = {0.15, 0.05, 0.80, 0.5};
-/// ... where the edge is elsewhere and seen there,
-constexpr Answers kBeside = {0.10, 0.75, 0.15, 0.02};
-/// ... where it is elsewhere, out of reach, or something unknown hides it.
-constexpr Answers kNothing = {0.10, 0.05, 0.85, 0.05};
 /// A faint step's log likelihood ratio, edge against chance: 2 % of the pieces of objects that are
 /// there show one, 0.8 % of the pieces predicted where nothing is.
 constexpr double kLogWeak = 0.9;
-/// Shares of weak pieces, of pieces that something unknown hides, and of pieces beside which a
-/// shadow lies just like an edge, of an object that is there: from the physics of diffuse surfaces,
-/// where a contrast of less than 2 % of the range has about the first probability; 0.2 to 0.4 % of
-/// the pieces of true objects have a parallel edge beside them instead of their own.
-constexpr double kWeakShare = 0.06, kHiddenShare = 0.035, kShadowShare = 0.008;
-/// Of edges that lie elsewhere, so many are seen beside their predicted place: the rest lies out of
-/// reach or has no contrast.
-constexpr double kSeenBeside = 0.7;
-
-double likelihood(const PieceEvidence& piece, const Answers& p) {
-  const double n = std::min<double>(piece.points, kAnswers);
-  return std::exp(n * (piece.found * std::log(p[0]) + piece.displaced * std::log(p[1]) +
-                       piece.flat * std::log(p[2])) +
-                  piece.weak * std::log(p[3]));
-}
-
-/// Likelihood of a piece whose edge is not where it is predicted.
-double likelihood_elsewhere(const PieceEvidence& piece) {
-  return kSeenBeside * likelihood(piece, kBeside) + (1 - kSeenBeside) * likelihood(piece, kNothing);
-}
-
-/// Likelihood of a piece of an object that is there.
-double likelihood_there(const PieceEvidence& piece) {
-  return (1 - kWeakShare - kHiddenShare - kShadowShare) * likelihood(piece, kPresent) +
-         kWeakShare * likelihood(piece, kWeak) + kHiddenShare * likelihood(piece, kNothing) +
-         kShadowShare * likelihood(piece, kBeside);
-}
-
-/// Likelihood of a piece when a share `elsewhere` of the edges lies elsewhere.
-double likelihood_partly(const PieceEvidence& piece, double elsewhere) {
-  return (1 - elsewhere) * likelihood_there(piece) + elsewhere * likelihood_elsewhere(piece);
-}
 
 bool same_normal(const Model& model, int a, int b) {
   constexpr double kSameNormal = 0.98;  // cosine, 11 degrees
@@ -119,69 +68,6 @@ double log_against_unseen(const std::vector<const PieceEvidence*>& pieces, int v
         std::log(likelihood_there(*piece) / likelihood_partly(*piece, kElsewhereIfUnseen));
   }
   return *std::min_element(log.begin(), log.end());
-}
-
-/// How the line of a surface's edge moves in the image, px, when the surface moves 1 mm outwards.
-double shift_per_mm(const FieldView& view, const PlacedModel& placed, const PieceEvidence& piece,
-                    int surface) {
-  const ModelEdge& edge = placed.model->edges[piece.edge];
-  const Model& model = *placed.model;
-  const Eigen::Vector3d along =
-      (model.mesh.vertices[edge.v1] - model.mesh.vertices[edge.v0]).normalized();
-  const int other = edge.left == surface ? edge.right : edge.left;
-  // The edge stays in the other surface's plane.
-  const Eigen::Vector3d in_other = model.surfaces[other].normal.cross(along);
-  const double outwards = model.surfaces[surface].normal.dot(in_other);
-  if (std::abs(outwards) < 0.2) return 0;
-  const Eigen::Vector3d move = placed.world_from_model.R * (in_other / outwards);
-  return piece.normal.dot(view.camera->projection_jacobian(piece.middle_in_world) * move);
-}
-
-/// The best place for one surface when its edges are not where the model says.
-DisplacedSurface displaced_surface(const std::vector<FieldView>& views, const PlacedModel& placed,
-                                   const ObjectEvidence& evidence, int surface) {
-  struct Vote {
-    const PieceEvidence* piece;
-    double px_per_mm;
-  };
-  constexpr double kInformative = 0.3;  // of a full shift: less says nothing of the surface
-  constexpr double kSmallestMm = kLeastDisplacementMm;
-  std::vector<Vote> votes;
-  std::map<int, bool> flat_in_view;
-  for (const PieceEvidence& piece : evidence.pieces) {
-    const ModelEdge& edge = placed.model->edges[piece.edge];
-    if ((edge.left != surface && edge.right != surface) || piece.length_px < kShortPx) continue;
-    const double shift = shift_per_mm(views[piece.view], placed, piece, surface);
-    const double full = views[piece.view].camera->px_per_mm_at(piece.middle_in_world);
-    if (std::abs(shift) < kInformative * full) continue;
-    // Flat pieces of one view have one cause.
-    if (piece.flat >= 0.5 && std::exchange(flat_in_view[piece.view], true)) continue;
-    votes.push_back({&piece, shift});
-  }
-  DisplacedSurface best;
-  best.surface = surface;
-  best.log_odds = -1e9;
-  for (const Vote& leader : votes) {
-    if (leader.piece->displaced < 0.5) continue;
-    const double mm = leader.piece->displacement_px / leader.px_per_mm;
-    if (std::abs(mm) < kSmallestMm || std::abs(mm) > kSimilarShapes * placed.model->diameter)
-      continue;
-    double log = 0;
-    for (const Vote& vote : votes) {
-      const double expected = mm * vote.px_per_mm, got = vote.piece->displacement_px;
-      // A shape scaled in one direction turns its surfaces too: a quarter is left to that.
-      const bool agrees = std::abs(got - expected) < 2 + 0.25 * std::abs(expected);
-      PieceEvidence piece = *vote.piece;
-      if (!agrees) std::swap(piece.displaced, piece.flat);
-      log += std::log(0.1 * likelihood(piece, kPresent) + 0.9 * likelihood_elsewhere(piece)) -
-             std::log(likelihood_there(*vote.piece));
-    }
-    if (log > best.log_odds) {
-      best.log_odds = log;
-      best.outwards_mm = mm;
-    }
-  }
-  return best;
 }
 
 /// The tail of n trials of probability p with at least share q found, as log10 (Hoeffding's

@@ -4,17 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "recognition/displaced_surface.hpp"
 #include "recognition/object_evidence.hpp"
 #include "recognition/spread_map.hpp"
 
 namespace trihedron {
-
-/// A surface of the model that seems to lie elsewhere on the object in the scene.
-struct DisplacedSurface {
-  int surface = -1;
-  double outwards_mm = 0;
-  double log_odds = 0;  ///< natural logarithm, against the model as it is; above 0: likelier
-};
 
 /// The judgement on one object of a scene.
 struct Verdict {

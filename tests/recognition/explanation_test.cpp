@@ -173,6 +173,19 @@ TEST_CASE("an object that could be either of two is no answer, but hides what li
   CHECK(pose_distance(library[1], result.objects[0].world_from_model, behind) < 0.2);
 }
 
+TEST_CASE("an object half hidden by an unknown one is told from all that is like it") {
+  const std::vector<Model> library = {rigs::block(66, 50, 40), rigs::l_bracket()};
+  const Model shorter = rigs::block(60, 50, 40);
+  const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
+  const Transform behind = rigs::pose({0, 0, 0.9}, {-5, 35, 21});
+  const auto views = rigs::views_of({{&shorter, front}, {&library[1], behind}});
+  const auto result =
+      explain(views, library, {{1, nearby(behind), 3}, {0, nearby(front), 2}, {1, behind, 1}});
+  REQUIRE(result.objects.size() == 1);
+  CHECK(result.objects[0].model_id == library[1].id);
+  CHECK(pose_distance(library[1], result.objects[0].world_from_model, behind) < 0.2);
+}
+
 TEST_CASE("two unknown objects, one in front of the other, do not vouch for each other") {
   const Model bracket = rigs::l_bracket(), block = rigs::block(60, 50, 40);
   const Transform front = rigs::pose({0, 0, 0.3}, {10, -45, 21});
