@@ -9,8 +9,8 @@ set -eu
 cd "$(dirname "$0")/../.."
 work=$(mktemp -d)
 mutate=
-far=300
-[ "${1:-}" = --mutant ] && { mutate="$2;"; far=20; shift 2; }
+near=20 far=300
+[ "${1:-}" = --mutant ] && { mutate="$2;" near=8 far=12; shift 2; }
 trap 'rm -rf "$work"' EXIT
 status=0
 slots="tests/formal/slot_stream.sv tests/formal/assumed_slots.sv"  # streams of row slots at an input
@@ -111,7 +111,7 @@ proved() {
 # refuted FILE: true when there is a counterexample, near (BMC) or far (PDR).
 refuted() {
   aiger "$1"
-  for search in "bmc3 -F 100 -T 20" "pdr -T $far"; do
+  for search in "bmc3 -F 100 -T $near" "pdr -T $far"; do
     yosys-abc -q "read_aiger $work/$top.aig; fold; strash; scorr; orpos; $search" 2>&1 |
       grep -q "was asserted" && return 0
   done
