@@ -89,14 +89,14 @@ def main():
     if arguments.only:
         mutants = [m for m in mutants if m["id"] in arguments.only]
     stages = [("frames", killers.regression(arguments.build, arguments.frames, 1)),
-              ("tests", killers.tests(arguments.build))]
+              ("tests", killers.tests(arguments.build)),
+              ("more frames", killers.regression(arguments.build, arguments.more_frames, 100001))]
     for name, kill in stages:
         if how := kill({"id": 0}):
             raise SystemExit(f"the design without a mutant already fails in {name}: {how}")
     if not arguments.no_proofs:
-        stages += [(SAME, functools.partial(equivalence.proved, arguments.folder)),
-                   ("proofs", functools.partial(proofs.broken, arguments.folder))]
-    stages.append(("more frames", killers.regression(arguments.build, arguments.more_frames, 100001)))
+        stages[2:2] = [(SAME, functools.partial(equivalence.proved, arguments.folder)),
+                       ("proofs", functools.partial(proofs.broken, arguments.folder))]
     results = judge_all(mutants, stages, arguments.jobs, arguments.folder / "results.jsonl", arguments.resume)
     explained = rtl_place.read_list(ROOT / "tests/mutation/equivalent.txt")
     report = table(results, [name for name, _ in stages], explained)
