@@ -81,14 +81,14 @@ module vertex_peak #(
   // Clock 1: the column's values of seven rows, newest in the high bits, and the branch pixels of
   // the five rows around the centre. Rows that are no frame's count 0, and so do those before a
   // frame that follows void rows: the memory may hold something else there, of another width. For
-  // the same reason what lies beyond a frame does, in the first row of a wider one behind it.
+  // the same reason what lies beyond the row above does: a slot may be longer than its row.
   logic value1_q;
   logic [1:0] above1_q;
   logic [6:0] rows_real_q, values;
   logic [5:0] older;
   logic [2:0] older_on;
-  logic sol1_q, old_column, widens_q, second_width_q;
-  assign values = {value1_q, old_column || !widens_q ? older & rows_real_q[5:0] : 6'd0};
+  logic sol1_q, in_row_above, second_width_q, above_second_q;
+  assign values = {value1_q, in_row_above ? older & rows_real_q[5:0] : 6'd0};
   row_limit #(
       .ColBits(ColBits)
   ) i_limit (
@@ -97,14 +97,14 @@ module vertex_peak #(
       .sol_i(sol1_q),
       .col_i(col1),
       .before_last_i,
-      .second_i(!second_width_q),
-      .within_o(old_column)
+      .second_i(above_second_q),
+      .within_o(in_row_above)
   );
   always_ff @(posedge clk_i) begin
     value1_q <= value_i;
     above1_q <= above_i;
     sol1_q   <= sol_i;
-    if (valid_i && sol_i) widens_q <= sof_i && !real_i != second_width_q;
+    if (valid_i && sol_i) above_second_q <= second_width_q;
     if (!rst_ni) second_width_q <= 1'b0;
     else if (valid_i && sol_i && sof_i) second_width_q <= !real_i;
     if (!rst_ni) begin

@@ -93,6 +93,49 @@ TEST_CASE("a third width waits until the first has left, for a drain at most") {
   }
 }
 
+/// Squares of 6 px: corners everywhere, also near the last rows and columns.
+GreyImage squares(const Size& size, Random& random) {
+  GreyImage image{size.width, size.height, {}};
+  const int left = random.between(0, 11), above = random.between(0, 11);
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      image.pixels.push_back((x + left) % 12 < 6 && (y + above) % 12 < 6 ? 200 : 40);
+    }
+  }
+  return image;
+}
+
+// Slots longer than their rows pass what earlier frames left in the line memories.
+TEST_CASE("frames of any widths in turn know nothing of each other") {
+  Random random(GENERATE(range(0u, 4u)));
+  std::vector<SourceFrame> frames;
+  for (int i = 0; i < 150; ++i) {
+    frames.push_back(frame_of(squares({random.between(5, 90), random.between(5, 30)}, random)));
+  }
+  RunOptions options;
+  options.check = true;
+  options.flush_timeout = 500;
+  const Report report = Simulator::instance().run(options, for_all_views(frames), nullptr);
+  REQUIRE(report.passed());
+  REQUIRE(report.compared.frames == kViews * frames.size());
+}
+
+TEST_CASE(
+    "what a reset left in the memories beside a narrow frame stays unseen in a wider one's slots") {
+  RunOptions options;
+  options.check = true;
+  options.flush_timeout = 500;
+  for (options.seed = 1; options.seed <= 40; ++options.seed) {
+    options.prelude_clocks = 1000 + 37 * static_cast<int>(options.seed);
+    const std::vector<SourceFrame> frames{frame_of(polygons(5 + options.seed % 8, 16, 4)),
+                                          frame_of(polygons(60, 12, 4))};
+    const Report report = Simulator::instance().run(options, for_all_views(frames), nullptr);
+    CAPTURE(options.seed);
+    REQUIRE(report.passed());
+    REQUIRE(report.compared.frames == kViews * frames.size());
+  }
+}
+
 TEST_CASE("a contour beat leaves at most ten lines and 64 clocks after its pixel came in") {
   const Size size = GENERATE(Size{5, 8}, Size{50, 40}, Size{450, 12}, Size{1920, 12});
   CAPTURE(size.width);
