@@ -16,8 +16,11 @@ using Eigen::Vector3d;
 /// which contours belong to a predicted line, for an object 150 px wide.
 constexpr double kCoincide = 0.02;
 /// Alike: so much of the edge length coincides. Below, the views differ so widely that no mistake
-/// is possible.
+/// is possible ...
 constexpr double kAlike = 0.5;
+/// ... but with mirror images, when much is hidden: a skew frustum shares little more than its
+/// base.
+constexpr double kAlikeMirrored = 0.3;
 /// Motions with fewer common vertices than this share are not looked at closely.
 constexpr double kAlikeVertices = 0.3;
 
@@ -96,7 +99,7 @@ std::vector<Transform> edge_motions(const Model& model, const Model& onto) {
   return out;
 }
 
-std::vector<Transform> alike(const Model& model, const Model& onto) {
+std::vector<Transform> alike(const Model& model, const Model& onto, double least_share) {
   struct Scored {
     double share;
     Transform motion;
@@ -105,7 +108,7 @@ std::vector<Transform> alike(const Model& model, const Model& onto) {
   for (const Transform& motion : edge_motions(model, onto)) {
     if (shared_vertices(model, motion, onto) < kAlikeVertices) continue;
     const double share = shared_edges(model, motion, onto);
-    if (share > kAlike) scored.push_back({share, motion});
+    if (share > least_share) scored.push_back({share, motion});
   }
   std::stable_sort(scored.begin(), scored.end(),
                    [](const Scored& a, const Scored& b) { return a.share > b.share; });
@@ -141,7 +144,7 @@ Model mirror_image(const Model& model) {
 
 Lookalikes find_lookalikes(const Model& model) {
   Lookalikes out;
-  for (const Transform& motion : alike(model, model)) {
+  for (const Transform& motion : alike(model, model, kAlike)) {
     const double within = kCoincide * model.diameter;
     const bool symmetric =
         same_motion(motion, {}, within) ||
@@ -152,7 +155,7 @@ Lookalikes find_lookalikes(const Model& model) {
   keep_first(out.turned);
   Model mirrored = mirror_image(model);
   if (!congruences(mirrored, model).empty()) return out;
-  out.mirrored_onto = alike(mirrored, model);
+  out.mirrored_onto = alike(mirrored, model, kAlikeMirrored);
   keep_first(out.mirrored_onto);
   out.mirrored = std::move(mirrored);
   return out;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Part of the search: what speaks against a claim that no other answer of the library equals.
 #include <algorithm>
+#include <utility>
 
 #include "recognition/scene_search.hpp"
-#include "recognition/similar_shapes.hpp"
 
 namespace trihedron {
 namespace {
@@ -81,6 +81,27 @@ SceneSearch::Doubt SceneSearch::mirrored_as_good(int winner) const {
   return {};
 }
 
+/// The model longer or shorter by a tenth, at the place that agrees best at a glance.
+SimilarShapes SceneSearch::stretched(int winner) const {
+  SimilarShapes all = stretched_shapes(placed(winner));
+  SimilarShapes out{{}, all.log_choices};
+  const auto score = [&](const SimilarShape& shape) {
+    return at_a_glance({&shape.model, shape.world_from_model});
+  };
+  for (auto place = all.shapes.begin(); place != all.shapes.end(); place += kStretchPlaces) {
+    auto best = place;
+    double highest = score(*best);
+    for (auto other = place + 1; other != place + kStretchPlaces; ++other) {
+      const double here = score(*other);
+      if (here <= highest) continue;
+      highest = here;
+      best = other;
+    }
+    out.shapes.push_back(std::move(*best));
+  }
+  return out;
+}
+
 /// Whether a similar shape would explain the scene better, and what differs.
 SceneSearch::Doubt SceneSearch::similar_is_better(int winner) {
   int position = 0;
@@ -102,7 +123,7 @@ SceneSearch::Doubt SceneSearch::similar_is_better(int winner) {
   const Doubt doubt = better(similar_shapes(input_.views, input_.maps, context[position], evidence),
                              kLookalikeReachesMm);
   if (!doubt.reason.empty() || sure(verdict)) return doubt;
-  return better(stretched_shapes(context[position]), kStretchedReachesMm);
+  return better(stretched(winner), kStretchedReachesMm);
 }
 
 /// What speaks against an object that no accepted rival equals.

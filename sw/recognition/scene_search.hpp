@@ -10,6 +10,7 @@
 
 #include "recognition/candidates.hpp"
 #include "recognition/lookalikes.hpp"
+#include "recognition/similar_shapes.hpp"
 #include "recognition/solid_overlap.hpp"
 
 namespace trihedron {
@@ -74,6 +75,7 @@ class SceneSearch {
                                          const std::vector<double>& reaches_mm,
                                          double enough) const;
   Doubt mirrored_as_good(int winner) const;
+  SimilarShapes stretched(int winner) const;
   Doubt similar_is_better(int winner);
   int best_rival(int winner);
   Doubt doubt_about(int winner);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "recognition/surface_attributes.hpp"
 #include "recognition/verification.hpp"
@@ -79,13 +80,14 @@ Change stretch(const Model& model, const Vector3d& axis, double rest) {
   return out;
 }
 
-double middle_along(const Model& model, const Vector3d& axis) {
+/// Where a model begins and ends along an axis, mm.
+std::pair<double, double> ends_along(const Model& model, const Vector3d& axis) {
   double low = 1e300, high = -1e300;
   for (const Vector3d& v : model.mesh.vertices) {
     low = std::min(low, axis.dot(v));
     high = std::max(high, axis.dot(v));
   }
-  return 0.5 * (low + high);
+  return {low, high};
 }
 
 /// Stretches along one axis, each with another of the model's places at rest.
@@ -94,7 +96,7 @@ void add_stretches(const Model& model, const Vector3d& axis, std::vector<Change>
   std::vector<double> places;
   for (const Vector3d& v : model.mesh.vertices) places.push_back(axis.dot(v));
   std::sort(places.begin(), places.end());
-  places.push_back(middle_along(model, axis));
+  places.push_back(0.5 * (places.front() + places.back()));
   double last = -1e300;
   for (const double rest : places) {
     if (std::abs(rest - last) < kSamePlaceMm) continue;
@@ -269,12 +271,14 @@ SimilarShapes similar_shapes(const std::vector<FieldView>& views,
 SimilarShapes stretched_shapes(const PlacedModel& placed) {
   SimilarShapes out;
   for (const Vector3d& axis : frame_axes(*placed.model)) {
-    const Change change = stretch(*placed.model, axis, middle_along(*placed.model, axis));
+    const auto [low, high] = ends_along(*placed.model, axis);
     for (const double by : {kSimilarStretch, -kSimilarStretch}) {
-      out.shapes.push_back(realize(placed, change, by));
+      for (const double rest : {0.5 * (low + high), low, high}) {
+        out.shapes.push_back(realize(placed, stretch(*placed.model, axis, rest), by));
+      }
     }
   }
-  out.log_choices = std::log(static_cast<double>(out.shapes.size()));
+  out.log_choices = std::log(static_cast<double>(out.shapes.size()) / kStretchPlaces);
   return out;
 }
 

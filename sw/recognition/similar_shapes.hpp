@@ -35,9 +35,11 @@ SimilarShapes similar_shapes(const std::vector<FieldView>& views,
                              const std::vector<SpreadMap>& chance, const PlacedModel& placed,
                              const ObjectEvidence& evidence);
 
-/// The model stretched about its middle by kSimilarStretch, either way, along each axis of its
-/// frame, whatever the evidence asks for: where exactly such a shape stands has to be found.
+/// The model stretched by kSimilarStretch, either way, along each axis of its frame, whatever the
+/// evidence asks for; per axis and way kStretchPlaces shapes, with either end and with the middle
+/// at rest: where exactly such a shape stands has to be found.
 SimilarShapes stretched_shapes(const PlacedModel& placed);
+inline constexpr int kStretchPlaces = 3;
 
 /// The model with its vertices moved: normals, offsets, centroids and lengths follow.
 Model reshaped(const Model& model, const std::vector<Eigen::Vector3d>& vertices);
