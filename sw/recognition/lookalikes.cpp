@@ -142,8 +142,27 @@ Model mirror_image(const Model& model) {
   return out;
 }
 
+Model bounding_block(const Model& model) {
+  Vector3d low = model.mesh.vertices[0], high = low;
+  for (const Vector3d& v : model.mesh.vertices) {
+    low = low.cwiseMin(v);
+    high = high.cwiseMax(v);
+  }
+  Mesh mesh;
+  for (int k = 0; k < 8; ++k) {
+    mesh.vertices.emplace_back((k & 1 ? high : low).x(), (k & 2 ? high : low).y(),
+                               (k & 4 ? high : low).z());
+  }
+  // Corner k's bits say which end of x, y and z it lies at.
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return build_model(model.id, "block around " + model.name, mesh);
+}
+
 Lookalikes find_lookalikes(const Model& model) {
   Lookalikes out;
+  Model block = bounding_block(model);
+  if (congruences(block, model).empty()) out.block = std::move(block);
   for (const Transform& motion : alike(model, model, kAlike)) {
     const double within = kCoincide * model.diameter;
     const bool symmetric =

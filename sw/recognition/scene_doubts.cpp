@@ -81,6 +81,21 @@ SceneSearch::Doubt SceneSearch::mirrored_as_good(int winner) const {
   return {};
 }
 
+/// Whether a plain block in the winner's place would explain the scene better.
+SceneSearch::Doubt SceneSearch::block_is_better(int winner) const {
+  const std::optional<Model>& block = input_.facts.lookalikes(candidates_[winner].model).block;
+  const PlacedModel place = placed(winner);
+  if (!block || at_a_glance({&*block, place.world_from_model}) < kRivalShare * at_a_glance(place)) {
+    return {};
+  }
+  const Verdict& verdict = candidates_[winner].verdict;
+  const double enough = verdict.log_against_chance - (verdict.accepted ? 0 : lead(winner));
+  const auto found =
+      explains_more(winner, *block, place.world_from_model, kStretchedReachesMm, enough);
+  if (!found) return {};
+  return {"similar shape: a plain block explains more", {&*block, *found}};
+}
+
 /// The model longer or shorter by a tenth, at the place that agrees best at a glance.
 SimilarShapes SceneSearch::stretched(int winner) const {
   SimilarShapes all = stretched_shapes(placed(winner));
@@ -133,8 +148,9 @@ SceneSearch::Doubt SceneSearch::doubt_about(int winner) {
   if (next >= 0 && candidates_[next].verdict.log_against_chance > mine - lead(winner)) {
     return {"ambiguous: an answer that is refused explains as much", placed(winner)};
   }
-  Doubt mirrored = mirrored_as_good(winner);
-  return mirrored.reason.empty() ? similar_is_better(winner) : mirrored;
+  Doubt doubt = mirrored_as_good(winner);
+  if (doubt.reason.empty()) doubt = block_is_better(winner);
+  return doubt.reason.empty() ? similar_is_better(winner) : doubt;
 }
 
 }  // namespace trihedron

@@ -75,6 +75,7 @@ class SceneSearch {
                                          const std::vector<double>& reaches_mm,
                                          double enough) const;
   Doubt mirrored_as_good(int winner) const;
+  Doubt block_is_better(int winner) const;
   SimilarShapes stretched(int winner) const;
   Doubt similar_is_better(int winner);
   int best_rival(int winner);

@@ -173,6 +173,21 @@ TEST_CASE("an object that could be either of two is no answer, but hides what li
   CHECK(pose_distance(library[1], result.objects[0].world_from_model, behind) < 0.2);
 }
 
+TEST_CASE("a plain block is not taken for the wedge that is half of it") {
+  const std::vector<Model> library = {
+      rigs::centred(1, "wedge", shapes::prism({{0, 0}, {60, 0}, {0, 40}}, 50))};
+  const Model block = rigs::block(60, 40, 50);
+  // The wedge's centre lies a sixth of each leg below and left of the block's.
+  const Transform in_block = rigs::pose({0, 0, 0}, {-10, -40.0 / 6, 0});
+  const Transform turns[] = {rigs::pose({1.5, 0, 0.3}, {0, 0, 22}),
+                             rigs::pose({0, 0, 0.4}, {0, 0, 26}),
+                             rigs::pose({-1.6, 0, 0.2}, {0, 0, 22})};
+  for (const Transform& pose : turns) {
+    const auto views = rigs::views_of({{&block, pose}});
+    CHECK(explain(views, library, {{0, pose * in_block, 1}}).objects.empty());
+  }
+}
+
 TEST_CASE("an object half hidden by an unknown one is told from all that is like it") {
   const std::vector<Model> library = {rigs::block(66, 50, 40), rigs::l_bracket()};
   const Model shorter = rigs::block(60, 50, 40);

@@ -72,6 +72,21 @@ TEST_CASE("a block with a cut corner looks like itself turned by 180 degrees") {
   }
 }
 
+TEST_CASE("a shape just fits into its block, and a block has none but itself") {
+  const Model model = cut_block();
+  const Lookalikes alike = find_lookalikes(model);
+  REQUIRE(alike.block.has_value());
+  CHECK(congruences(*alike.block, model_of(shapes::block(60, 50, 40))).size() >= 1);
+  for (const Surface& surface : alike.block->surfaces) {
+    double outermost = -1e9;
+    for (const Vector3d& v : model.mesh.vertices) {
+      outermost = std::max(outermost, surface.normal.dot(v) - surface.offset);
+    }
+    CHECK(outermost == Approx(0).margin(1e-9));  // rounding
+  }
+  CHECK_FALSE(find_lookalikes(model_of(shapes::block(60, 50, 40))).block.has_value());
+}
+
 TEST_CASE("symmetries are no lookalikes") {
   CHECK(find_lookalikes(model_of(shapes::block(60, 50, 40))).turned.empty());
   CHECK(find_lookalikes(model_of(shapes::regular_prism(6, 40, 30))).turned.empty());
