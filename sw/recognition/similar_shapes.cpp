@@ -278,7 +278,7 @@ SimilarShapes stretched_shapes(const PlacedModel& placed) {
       }
     }
   }
-  out.log_choices = std::log(static_cast<double>(out.shapes.size()) / kStretchPlaces);
+  out.log_choices = std::log(static_cast<double>(out.shapes.size()));
   return out;
 }
 
