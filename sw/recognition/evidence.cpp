@@ -19,6 +19,50 @@ constexpr float kNearestMm = 1e-3F;
 /// all samples independent; samples of an object that others hide are not.
 constexpr float kHopeless = 8;
 
+/// A model's vertices and surfaces as up to four views see them: edges share them.
+struct Seen {
+  std::vector<ViewLanes::Images> vertices;
+  std::vector<ViewLanes::Lanes> facing;  ///< surfaces, above 0: turned to the view
+
+  void look(const ViewLanes& lanes, const ModelSketch& model) {
+    vertices.resize(model.vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = lanes.project(model.vertices[i]);
+    facing.resize(model.surfaces.size());
+    for (std::size_t i = 0; i < facing.size(); ++i) {
+      facing[i] = lanes.facing(model.surfaces[i].normal, model.surfaces[i].offset);
+    }
+  }
+};
+/// Its memory is kept from pose to pose.
+Seen& scratch() {
+  thread_local Seen seen;
+  return seen;
+}
+
+using Lanes = LaneRig::Lanes;
+using LaneInts __attribute__((vector_size(sizeof(Lanes)))) = std::int32_t;
+
+bool any(const LaneInts& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+
+/// An edge in the images.
+struct SeenEdge {
+  SeenEdge(const Seen& seen, const ModelSketch::Edge& e)
+      : p(seen.vertices[static_cast<std::size_t>(e.v0)]),
+        q(seen.vertices[static_cast<std::size_t>(e.v1)]),
+        dx(q.x - p.x),
+        dy(q.y - p.y),
+        squared(dx * dx + dy * dy),
+        asked(((seen.facing[static_cast<std::size_t>(e.left)] > 0) |
+               (seen.facing[static_cast<std::size_t>(e.right)] > 0)) &
+              (p.depth > kNearestMm) & (q.depth > kNearestMm) &
+              (squared >= kMinLengthPx * kMinLengthPx)) {}
+
+  const ViewLanes::Images &p, &q;
+  Lanes dx, dy, squared;  ///< px
+  LaneInts asked;         ///< where the edge turns a surface to the view and is long enough
+};
+
 }  // namespace
 
 bool all_claimed(const SpaceEdge& e, const Claims& claimed) {
@@ -56,18 +100,16 @@ void Evidence::visit(const ModelSketch& model, const Transform& pose, int max_sa
   const auto spacing = static_cast<float>(options_.sample_px);
   std::size_t first = 0;
   for (const LaneRig& rig : rigs_) {
-    const ViewLanes lanes(rig, pose);
-    for (const EdgeSketch& e : model.edges) {
-      const ViewLanes::Lanes left = lanes.facing(e.left, e.left_offset);
-      const ViewLanes::Lanes right = lanes.facing(e.right, e.right_offset);
-      const ViewLanes::Lanes facing = left > right ? left : right;
-      const ViewLanes::Images p = lanes.project(e.x0), q = lanes.project(e.x1);
-      const ViewLanes::Lanes dx = q.x - p.x, dy = q.y - p.y;
-      for (std::size_t lane = 0; lane < lanes.count(); ++lane) {
+    Seen& seen = scratch();
+    seen.look(ViewLanes(rig, pose), model);
+    for (const ModelSketch::Edge& e : model.edges) {
+      const SeenEdge edge(seen, e);
+      if (!any(edge.asked)) continue;
+      const auto& [p, q, dx, dy, squared, asked] = edge;
+      for (std::size_t lane = 0; lane < rig.count; ++lane) {
         const std::size_t i = lane;
-        if (!(facing[i] > 0 && p.depth[i] > kNearestMm && q.depth[i] > kNearestMm)) continue;
-        const float length = std::sqrt(dx[i] * dx[i] + dy[i] * dy[i]);
-        if (!(length >= kMinLengthPx)) continue;
+        if (!asked[i]) continue;
+        const float length = std::sqrt(squared[i]);
         const int n = std::clamp(static_cast<int>(length / spacing), 1, max_samples);
         for (int k = 0; k < n; ++k) {
           const float f = (static_cast<float>(k) + 0.5F) / static_cast<float>(n);
@@ -93,9 +135,6 @@ double Evidence::score(const ModelSketch& model, const Transform& pose, int max_
 
 namespace {
 
-using Lanes = LaneRig::Lanes;
-using LaneInts __attribute__((vector_size(sizeof(Lanes)))) = std::int32_t;
-
 /// px to the cells of a map; what lies left of the image, or nowhere, to -1.
 LaneInts cells(const Lanes& px) {
   constexpr float kPerCell = 1.0F / DirectionMap::kCellPx;
@@ -103,8 +142,6 @@ LaneInts cells(const Lanes& px) {
   const Lanes inside = px >= 0 ? px * kPerCell : Lanes{} - 1;
   return __builtin_convertvector(inside < kFar ? inside : Lanes{} + kFar, LaneInts);
 }
-
-bool any(const LaneInts& mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 
 }  // namespace
 
@@ -117,15 +154,12 @@ float Evidence::score_at_most(const ModelSketch& model, const Transform& pose,
   float sum = 0;
   std::size_t first = 0;
   for (const LaneRig& rig : rigs_) {
-    const ViewLanes lanes(rig, pose);
-    for (const EdgeSketch& e : model.edges) {
-      const Lanes left = lanes.facing(e.left, e.left_offset);
-      const Lanes right = lanes.facing(e.right, e.right_offset);
-      const ViewLanes::Images p = lanes.project(e.x0), q = lanes.project(e.x1);
-      const Lanes dx = q.x - p.x, dy = q.y - p.y, squared = dx * dx + dy * dy;
-      const LaneInts asked = ((left > 0) | (right > 0)) & (p.depth > kNearestMm) &
-                             (q.depth > kNearestMm) & (squared >= kMinLengthPx * kMinLengthPx);
-      if (!any(asked)) continue;
+    Seen& seen = scratch();
+    seen.look(ViewLanes(rig, pose), model);
+    for (const ModelSketch::Edge& e : model.edges) {
+      const SeenEdge edge(seen, e);
+      if (!any(edge.asked)) continue;
+      const auto& [p, q, dx, dy, squared, asked] = edge;
       const LaneInts two = asked & (squared >= two_px * two_px);
       const Lanes turn = asked ? DirectionBins::places(dx, dy) : Lanes{};
       const LaneInts bins = __builtin_convertvector(turn, LaneInts) % DirectionBins::kCount;
@@ -199,8 +233,9 @@ void Evidence::refine(const ModelSketch& model, Transform& pose, int max_samples
   visit(model, pose, max_samples, [&](const Sample& s) {
     if (s.segment < 0) return true;
     const ViewLines& view = views_[s.view];
-    const EdgeSketch& e = *s.edge;
-    const Vector3d x = pose * (e.x0 + s.along * (e.x1 - e.x0)).cast<double>();
+    const Eigen::Vector3f& x0 = model.vertices[static_cast<std::size_t>(s.edge->v0)];
+    const Eigen::Vector3f& x1 = model.vertices[static_cast<std::size_t>(s.edge->v1)];
+    const Vector3d x = pose * (x0 + s.along * (x1 - x0)).cast<double>();
     // Distance from the plane of sight, in px at that depth.
     const Plane& plane = view.planes[static_cast<std::size_t>(s.segment)];
     const double scale = view.ideal.px_per_mm(x);

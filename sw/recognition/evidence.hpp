@@ -67,8 +67,8 @@ class Evidence {
   /// A sample of a projected edge.
   struct Sample {
     std::size_t view;
-    const EdgeSketch* edge;
-    float along;  ///< 0: at x0, 1: at x1
+    const ModelSketch::Edge* edge;
+    float along;  ///< 0: at v0, 1: at v1
     int segment;  ///< of the view, that it hits, or SegmentGrid::kMiss
   };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trihedron {
 namespace {
@@ -40,16 +41,11 @@ ModelSketch sketch_of(const Model& model) {
   std::vector<ModelEdge> edges = model.edges;
   std::stable_sort(edges.begin(), edges.end(),
                    [](const ModelEdge& a, const ModelEdge& b) { return a.length > b.length; });
-  const auto vertex = [&](int v) -> Eigen::Vector3f {
-    return model.mesh.vertices[static_cast<std::size_t>(v)].cast<float>();
-  };
-  for (const ModelEdge& e : edges) {
-    const Surface& left = model.surfaces[static_cast<std::size_t>(e.left)];
-    const Surface& right = model.surfaces[static_cast<std::size_t>(e.right)];
-    out.edges.push_back({vertex(e.v0), vertex(e.v1), left.normal.cast<float>(),
-                         right.normal.cast<float>(), static_cast<float>(left.offset),
-                         static_cast<float>(right.offset)});
+  for (const Eigen::Vector3d& x : model.mesh.vertices) out.vertices.push_back(x.cast<float>());
+  for (const Surface& surface : model.surfaces) {
+    out.surfaces.push_back({surface.normal.cast<float>(), static_cast<float>(surface.offset)});
   }
+  for (const ModelEdge& e : edges) out.edges.push_back({e.v0, e.v1, e.left, e.right});
   return out;
 }
 
@@ -71,6 +67,13 @@ void sort_by(std::vector<T>& list, double T::*key) {
 }
 
 }  // namespace
+
+float ModelSketch::lowest(const Transform& world_from_model) const {
+  const Eigen::Vector3f up = world_from_model.R.row(2).transpose().cast<float>();
+  float least = std::numeric_limits<float>::max();
+  for (const Eigen::Vector3f& x : vertices) least = std::min(least, up.dot(x));
+  return least + static_cast<float>(world_from_model.t.z());
+}
 
 LibraryIndex::LibraryIndex(const std::vector<Model>& library) : corners_(library) {
   for (std::size_t i = 0; i < library.size(); ++i) {

@@ -17,18 +17,25 @@ struct DirectedEdge {
   double length = 0;     ///< mm
 };
 
-/// An edge of a model and its two surfaces, packed for scanning.
-struct EdgeSketch {
-  Eigen::Vector3f x0, x1;                   ///< ends, model frame, mm
-  Eigen::Vector3f left, right;              ///< normals of its surfaces
-  float left_offset = 0, right_offset = 0;  ///< normal . x on the surface, mm
-};
-
-/// What is asked of a model for every pose.
+/// What is asked of a model for every pose, packed for scanning.
 struct ModelSketch {
-  std::vector<EdgeSketch> edges;  ///< longest first: they are the surest seen
-  Eigen::Vector3d vertex_mean;    ///< model frame, mm; every symmetry leaves it in place
-  double diameter = 0;            ///< mm
+  struct Surface {
+    Eigen::Vector3f normal;  ///< model frame
+    float offset;            ///< normal . x on it, mm
+  };
+  /// An edge by its vertices and surfaces.
+  struct Edge {
+    int v0, v1, left, right;
+  };
+
+  std::vector<Eigen::Vector3f> vertices;  ///< model frame, mm
+  std::vector<Surface> surfaces;
+  std::vector<Edge> edges;      ///< longest first: they are the surest seen
+  Eigen::Vector3d vertex_mean;  ///< model frame, mm; every symmetry leaves it in place
+  double diameter = 0;          ///< mm
+
+  /// Of a pose's lowest vertex, world, mm.
+  float lowest(const Transform& world_from_model) const;
 };
 
 /// A library's corners, edges and sketches, ordered for look-up.
