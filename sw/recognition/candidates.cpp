@@ -31,15 +31,26 @@ double pose_distance(const Model& model, const Transform& a, const Transform& b)
   return best;
 }
 
-Ranker::Ranker(const SceneInput& input) : input_(input) { update(); }
+double lowest(const Model& model, const Transform& world_from_model) {
+  double least = 1e300;
+  for (const Eigen::Vector3d& v : model.mesh.vertices) {
+    least = std::min(least, (world_from_model * v).z());
+  }
+  return least;
+}
+
+Ranker::Ranker(const SceneInput& input, double floor_mm) : input_(input), floor_mm_(floor_mm) {
+  update();
+}
 
 void Ranker::update() {
   predictions_.reserve(input_.hypotheses.size());
   for (std::size_t i = predictions_.size(); i < input_.hypotheses.size(); ++i) {
     const PoseHypothesis& h = input_.hypotheses[i];
     const Model& model = input_.library[h.model];
-    predictions_.push_back({glance_points(input_.views, model, h.world_from_model),
-                            vertex_mean(model, h.world_from_model)});
+    predictions_.push_back({{}, vertex_mean(model, h.world_from_model)});
+    if (lowest(model, h.world_from_model) < floor_mm_) continue;
+    predictions_.back().points = glance_points(input_.views, model, h.world_from_model);
   }
 }
 
@@ -56,7 +67,7 @@ std::vector<RankedHypothesis> Ranker::rank(const GlanceScorer& scorer, int count
   std::vector<RankedHypothesis> ranked;
   for (int i = 0; i < static_cast<int>(predictions_.size()); ++i) {
     const double score = scorer.score(predictions_[i].points);
-    if (score > 0) ranked.push_back({score, i});
+    if (score >= kLeastAtAGlance) ranked.push_back({score, i});
   }
   std::stable_sort(ranked.begin(), ranked.end(),
                    [](const auto& a, const auto& b) { return a.score > b.score; });
@@ -74,7 +85,8 @@ std::vector<RankedHypothesis> Ranker::rank(const GlanceScorer& scorer, int count
 Candidate make_candidate(const SceneInput& input, int index,
                          const std::vector<PlacedModel>& known) {
   const PoseHypothesis& hypothesis = input.hypotheses[index];
-  return make_candidate(input, hypothesis.model, hypothesis.world_from_model, {5, 2.5, 1}, known);
+  return make_candidate(input, hypothesis.model, hypothesis.world_from_model, kHypothesisReachesMm,
+                        known);
 }
 
 Candidate make_candidate(const SceneInput& input, int model_index,

@@ -30,33 +30,48 @@ double pose_distance(const Model& model, const Transform& a, const Transform& b)
 
 /// A hypothesis and how well it agrees at a glance.
 struct RankedHypothesis {
-  double score = 0;  ///< log likelihood ratio against chance; below 0: as good as a random pose
+  double score = 0;  ///< log likelihood ratio against chance
   int hypothesis = 0;
 };
+
+/// How far contours are looked for around a hypothesis, one search after another, mm.
+inline const std::vector<double> kHypothesisReachesMm = {5, 2.5, 1};
+/// Refinement moves a hypothesis by less, mm: the reaches together.
+inline constexpr double kRefinedByMm = 8.5;
+
+/// Log likelihood ratio at a glance below which a hypothesis need not be refined. A claim needs 40
+/// of the evidence in the end, whatever else speaks for it (verification.cpp); half of that must be
+/// seen at once.
+inline constexpr double kLeastAtAGlance = 20;
 
 /// Ranks the hypotheses of a scene by how well they agree with maps of the contours, no hidden
 /// lines removed. What a hypothesis predicts is worked out once, for all its rankings.
 class Ranker {
  public:
-  explicit Ranker(const SceneInput& input);
+  /// Poses that reach below `floor_mm`, world z, are left out.
+  Ranker(const SceneInput& input, double floor_mm);
 
   /// Takes in hypotheses added to the input since.
   void update();
 
-  /// At most `count` hypotheses better than chance, best first, none near a better one of the same
-  /// model.
+  /// At most `count` hypotheses of at least kLeastAtAGlance, best first, none near a better one of
+  /// the same model.
   std::vector<RankedHypothesis> rank(const GlanceScorer& scorer, int count) const;
 
  private:
   struct Prediction {
-    std::vector<GlancePoint> points;
-    Eigen::Vector3d vertex_mean;  ///< world, mm
+    std::vector<GlancePoint> points;  ///< none of a pose that is left out
+    Eigen::Vector3d vertex_mean;      ///< world, mm
   };
   bool same(int a, int b) const;
 
   const SceneInput& input_;
+  double floor_mm_;
   std::vector<Prediction> predictions_;  ///< per hypothesis
 };
+
+/// World z of a pose's lowest vertex, mm.
+double lowest(const Model& model, const Transform& world_from_model);
 
 /// A hypothesis on its way to become an object.
 struct Candidate {

@@ -28,6 +28,7 @@ struct HypothesisOptions {
   /// them at 8 to 9 of 10 corners with a whole edge (an object shows dozens), at 2 to 6 of 10
   /// others.
   int best_corners = 200;
+  bool table = true;     ///< nothing lies below the world's z = 0
   int max_coarse = 400;  ///< poses that are refined and scored finely
   int max_hypotheses = 400;
 };

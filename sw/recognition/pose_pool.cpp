@@ -17,6 +17,13 @@ void sort_best(std::vector<PoseHypothesis>& h, int count) {
   if (h.size() > static_cast<std::size_t>(count)) h.resize(static_cast<std::size_t>(count));
 }
 
+/// A pose from a corner may be tilted by the errors of two directions in the image, and be off by a
+/// few pixels. What reaches deeper below z = 0 is an accident, as about half of all poses are.
+bool reaches_below_table(const ModelSketch& model, const Transform& pose) {
+  constexpr double kTilt = 0.1, kOffMm = 10;
+  return model.lowest(pose) < -(kOffMm + kTilt * model.diameter);
+}
+
 }  // namespace
 
 /// A number that poses within a bin share: 5 mm for the model's first surface, about 6 degrees.
@@ -41,6 +48,7 @@ void PosePool::add(int model, const Transform& pose) {
   ++offered_;
   // Nearly all poses are accidents, and to see that is cheaper than to look for equal ones.
   const ModelSketch& sketch = index_.sketch(model);
+  if (options_.table && reaches_below_table(sketch, pose)) return;
   if (evidence_.hopeless(sketch, pose)) return;
   if (floor_ > 0 && evidence_.score_at_most(sketch, pose, true) <= floor_) return;
   constexpr int kPerBin = 2;

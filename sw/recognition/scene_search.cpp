@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace trihedron {
 namespace {
@@ -23,7 +24,8 @@ constexpr double kSamePoseMm = 1.0;
 SceneSearch::SceneSearch(SceneInput& input, const SceneSearchOptions& options)
     : input_(input),
       options_(options),
-      ranker_(input),
+      ranker_(input, options.table ? -(kRefinedByMm + kPenetrationMm)
+                                   : -std::numeric_limits<double>::infinity()),
       all_contours_(input.maps),
       first_ranking_(ranker_.rank(all_contours_, options.ranked)),
       tried_(input.hypotheses.size(), 0) {}
@@ -88,14 +90,11 @@ void SceneSearch::reject(int i, const std::string& reason) {
 }
 
 bool SceneSearch::below_table(const Candidate& candidate, std::string& reason) const {
-  double lowest = 1e300;
-  for (const Eigen::Vector3d& v : input_.library[candidate.model].mesh.vertices) {
-    lowest = std::min(lowest, (candidate.pose.world_from_model * v).z());
-  }
+  const double z = lowest(input_.library[candidate.model], candidate.pose.world_from_model);
   const double sigma = std::sqrt(candidate.pose.covariance(5, 5));
-  if (!options_.table || lowest > -(kPenetrationMm + 3 * sigma)) return false;
+  if (!options_.table || z > -(kPenetrationMm + 3 * sigma)) return false;
   char text[80];
-  std::snprintf(text, sizeof text, "below the table: reaches z = %.1f mm", lowest);
+  std::snprintf(text, sizeof text, "below the table: reaches z = %.1f mm", z);
   reason = text;
   return true;
 }
