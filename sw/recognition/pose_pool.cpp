@@ -50,7 +50,7 @@ void PosePool::add(int model, const Transform& pose) {
   const ModelSketch& sketch = index_.sketch(model);
   if (options_.table && reaches_below_table(sketch, pose)) return;
   if (evidence_.hopeless(sketch, pose)) return;
-  if (floor_ > 0 && evidence_.score_at_most(sketch, pose, true) <= floor_) return;
+  if (floor_ > kLeastCoarse && evidence_.score_at_most(sketch, pose, true) <= floor_) return;
   constexpr int kPerBin = 2;
   if (++count_[bin(model, pose)] > kPerBin) return;
   ++scored_;
@@ -60,7 +60,7 @@ void PosePool::add(int model, const Transform& pose) {
   // What is not among the best now will not be later.
   if (fresh_.size() < 2 * static_cast<std::size_t>(options_.max_coarse)) return;
   sort_best(fresh_, options_.max_coarse);
-  floor_ = fresh_.back().support;
+  floor_ = std::max(floor_, fresh_.back().support);
 }
 
 Vector3d PosePool::vertex_mean(const PoseHypothesis& h) const {
@@ -113,9 +113,11 @@ const std::vector<PoseHypothesis>& PosePool::settle() {
     for (const int samples : {2, 4}) evidence_.refine(sketch, h.world_from_model, samples);
     h.support = evidence_.score(sketch, h.world_from_model, 8);
   }
+  const auto weak = [](const PoseHypothesis& h) { return h.support < kLeastSupport; };
+  fresh_.erase(std::remove_if(fresh_.begin(), fresh_.end(), weak), fresh_.end());
   settled_.insert(settled_.end(), fresh_.begin(), fresh_.end());
   fresh_.clear();
-  floor_ = 0;
+  floor_ = kLeastCoarse;
   sort_best(settled_, options_.max_coarse);
   merge(settled_, kSameAfter);
   sort_best(settled_, options_.max_hypotheses);

@@ -39,7 +39,11 @@ class PosePool {
   const LibraryIndex& index_;
   const HypothesisOptions& options_;
   std::vector<PoseHypothesis> fresh_, settled_;
-  double floor_ = 0;                              ///< fresh poses must have more support
+  /// A claim needs 40 of the evidence in the end (kLeastAtAGlance), and samples are closer than
+  /// independent answers. Before refinement, by two samples an edge, a quarter of that.
+  static constexpr double kLeastSupport = 40, kLeastCoarse = 10;
+
+  double floor_ = kLeastCoarse;                   ///< fresh poses must have more support
   std::unordered_map<std::uint64_t, int> count_;  ///< poses scored per bin
   int offered_ = 0, scored_ = 0;
 };
