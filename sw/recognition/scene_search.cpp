@@ -220,7 +220,7 @@ void SceneSearch::judge(int i) {
   auto context = context_of(i, position);
   RefinementOptions near;
   near.reaches_mm = {1};
-  near.exact_rounds = 1;
+  near.exact_rounds = 2;
   const RefinedPose refined = refine(input_.views, context, position, near);
   if (refined.converged) {
     candidate.pose = refined;
