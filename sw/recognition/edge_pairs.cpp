@@ -35,11 +35,13 @@ class PairSearch {
     const Model& model = library_[static_cast<std::size_t>(first.model)];
     const double longest = *std::max_element(distance_.begin(), distance_.end());
     if (longest > model.diameter + tolerance_) return;
-    for (int e = 0; e < static_cast<int>(model.edges.size()); ++e) {
-      const ModelEdge& edge = model.edges[static_cast<std::size_t>(e)];
-      if (e == first.edge || std::abs(edge.length - b_->length) > tolerance_) continue;
-      match_second(model, first, {first.model, e, edge.v0, edge.v1, edge.length});
-      match_second(model, first, {first.model, e, edge.v1, edge.v0, edge.length});
+    const auto [begin, end] =
+        index_.sketch(first.model)
+            .edges_by_length(b_->length - tolerance_, b_->length + tolerance_);
+    for (const ModelSketch::Edge* e = begin; e != end; ++e) {
+      if (e->index == first.edge) continue;
+      match_second(model, first, {first.model, e->index, e->v0, e->v1, e->length});
+      match_second(model, first, {first.model, e->index, e->v1, e->v0, e->length});
     }
   }
 

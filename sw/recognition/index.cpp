@@ -38,14 +38,17 @@ ModelSketch sketch_of(const Model& model) {
   out.vertex_mean.setZero();
   for (const Eigen::Vector3d& x : model.mesh.vertices) out.vertex_mean += x;
   out.vertex_mean /= static_cast<double>(model.mesh.vertices.size());
-  std::vector<ModelEdge> edges = model.edges;
-  std::stable_sort(edges.begin(), edges.end(),
-                   [](const ModelEdge& a, const ModelEdge& b) { return a.length > b.length; });
   for (const Eigen::Vector3d& x : model.mesh.vertices) out.vertices.push_back(x.cast<float>());
   for (const Surface& surface : model.surfaces) {
     out.surfaces.push_back({surface.normal.cast<float>(), static_cast<float>(surface.offset)});
   }
-  for (const ModelEdge& e : edges) out.edges.push_back({e.v0, e.v1, e.left, e.right});
+  for (std::size_t i = 0; i < model.edges.size(); ++i) {
+    const ModelEdge& e = model.edges[i];
+    out.edges.push_back(
+        {e.v0, e.v1, e.left, e.right, static_cast<int>(i), static_cast<float>(e.length)});
+  }
+  std::stable_sort(out.edges.begin(), out.edges.end(),
+                   [](const auto& a, const auto& b) { return a.length > b.length; });
   return out;
 }
 
@@ -67,6 +70,16 @@ void sort_by(std::vector<T>& list, double T::*key) {
 }
 
 }  // namespace
+
+std::pair<const ModelSketch::Edge*, const ModelSketch::Edge*> ModelSketch::edges_by_length(
+    double low, double high) const {
+  const auto first =
+      std::lower_bound(edges.begin(), edges.end(), high,
+                       [](const Edge& e, double length) { return e.length > length; });
+  const auto last = std::upper_bound(
+      first, edges.end(), low, [](double length, const Edge& e) { return length > e.length; });
+  return {edges.data() + (first - edges.begin()), edges.data() + (last - edges.begin())};
+}
 
 float ModelSketch::lowest(const Transform& world_from_model) const {
   const Eigen::Vector3f up = world_from_model.R.row(2).transpose().cast<float>();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "recognition/corner_index.hpp"
@@ -23,9 +24,10 @@ struct ModelSketch {
     Eigen::Vector3f normal;  ///< model frame
     float offset;            ///< normal . x on it, mm
   };
-  /// An edge by its vertices and surfaces.
+  /// An edge by its vertices and surfaces, and its index in Model::edges.
   struct Edge {
-    int v0, v1, left, right;
+    int v0, v1, left, right, index;
+    float length;  ///< mm
   };
 
   std::vector<Eigen::Vector3f> vertices;  ///< model frame, mm
@@ -34,6 +36,8 @@ struct ModelSketch {
   Eigen::Vector3d vertex_mean;  ///< model frame, mm; every symmetry leaves it in place
   double diameter = 0;          ///< mm
 
+  /// The edges that are `low` to `high` mm long.
+  std::pair<const Edge*, const Edge*> edges_by_length(double low, double high) const;
   /// Of a pose's lowest vertex, world, mm.
   float lowest(const Transform& world_from_model) const;
 };
