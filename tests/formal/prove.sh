@@ -15,7 +15,7 @@ trap 'rm -rf "$work"' EXIT
 status=0
 slots="tests/formal/slot_stream.sv tests/formal/assumed_slots.sv"  # streams of row slots at an input
 stages="gradient first_contour ridge second_contour vertex_value"
-long="view contour_packer slot_tracker line_window line_window_side line_window_11"
+long="view contour_packer vertex_packer vertex_peak slot_tracker line_window line_window_side line_window_11"
 all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard \
   frame_guard_good $stages $long"
 quick=
@@ -72,6 +72,14 @@ describe() {
     second_contour) stage "$1" 3 4 ;;
     vertex_value) stage "$1" 4 2 ;;
     contour_packer) others="rtl/line_memory.sv rtl/stream_fifo.sv" ;;
+    vertex_peak)  # that a vertex lies in its frame follows from its scores
+      others="$slots $(all_but vertex_peak)"
+      cut="chformal -assert -remove =*paramod*vertex_peak*; cutpoint =*vertex_ring* =*vertex_score*;"
+      ;;
+    vertex_packer)
+      engine=induction
+      others="tests/formal/open_memory.sv rtl/stream_fifo.sv"
+      ;;
     view)
       module=trihedron_top others=$(all_but trihedron_top)
       cut="cutpoint =*contours* =*vertices* =*line_memory*; chformal -assert2assume =*stream_fifo*
