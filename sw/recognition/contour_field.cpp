@@ -44,6 +44,9 @@ float total(const Lanes& v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 }  // namespace
 
 ContourField::ContourField(const ViewFeatures& features)
+    : ContourField(features, find_edgels(features)) {}
+
+ContourField::ContourField(const ViewFeatures& features, const EdgelMap& edgels)
     : features_(&features), width_(features.width), height_(features.height) {
   constexpr std::size_t kStride = 29;  // a sample of the pixels will do, prime to most widths
   std::vector<int> magnitudes;
@@ -57,7 +60,7 @@ ContourField::ContourField(const ViewFeatures& features)
     noise_ = *middle / kMedianOfNormal;
   }
   noise_ = std::max(noise_, kRoundingNoise * kGradientScale);
-  build_bins(features);
+  build_bins(clear_contour(features, edgels.noise));
 }
 
 int ContourField::bin_of(double gx, double gy) {
@@ -84,28 +87,19 @@ int ContourField::bin_of(double gx, double gy) {
   return gx >= 0 || bin == 0 ? bin : kBins - bin;
 }
 
-void ContourField::build_bins(const ViewFeatures& features) {
-  bins_.assign(features.contour.size(), 0);
-  constexpr int kTogether = 8;  // most pixels are none: asked for in groups
-  const ContourBeat* row = features.contour.data();
-  for (int y = 0; y < height_; ++y, row += width_) {
-    rows_.push_back(static_cast<int>(pixels_.size()));
-    for (int first = 0; first < width_; first += kTogether) {
-      const int end = std::min(first + kTogether, width_);
-      unsigned flags = 0;
-      for (int x = first; x < end; ++x) flags |= row[x].flags;
-      if ((flags & kContour) == 0) continue;
-      for (int x = first; x < end; ++x) {
-        if (!row[x].contour()) continue;
-        const int bin = bin_of(row[x].gx, row[x].gy);
-        bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-              static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(1U << bin);
-        pixels_.push_back({static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
-                           static_cast<std::uint8_t>(bin)});
-      }
+void ContourField::build_bins(const std::vector<ContourPixel>& contour) {
+  bins_.assign(features_->contour.size(), 0);
+  for (const ContourPixel& pixel : contour) {
+    while (static_cast<int>(rows_.size()) <= pixel.y) {
+      rows_.push_back(static_cast<int>(pixels_.size()));
     }
+    const ContourBeat& beat = features_->at(pixel.x, pixel.y);
+    const auto bin = static_cast<std::uint8_t>(bin_of(beat.gx, beat.gy));
+    bins_[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(width_) +
+          static_cast<std::size_t>(pixel.x)] = static_cast<std::uint8_t>(1U << bin);
+    pixels_.push_back({pixel.x, pixel.y, bin});
   }
-  rows_.push_back(static_cast<int>(pixels_.size()));
+  rows_.resize(static_cast<std::size_t>(height_) + 1, static_cast<int>(pixels_.size()));
 }
 
 /// A walk in whole steps along the normal's longer component visits every row (or column) once and

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "golden/features.hpp"
+#include "recognition/clear_contour.hpp"
+#include "recognition/edgels.hpp"
 
 namespace trihedron {
 
@@ -19,14 +21,16 @@ struct EdgeProfile {
   double sigma_px = 1;      ///< standard deviation of `offset_px` by image noise alone
 };
 
-/// One view's contour stream, prepared for questions along predicted image lines. Directions
-/// are of the gradient, modulo 180 degrees: a predicted line does not know which side is
-/// brighter.
+/// One view's contour stream, as far as it stands above its noise (clear_contour.hpp), prepared for
+/// questions along predicted image lines. Directions are of the gradient, modulo 180 degrees: a
+/// predicted line does not know which side is brighter.
 class ContourField {
  public:
   static constexpr int kBins = 8;  ///< of 22.5 degrees
 
   explicit ContourField(const ViewFeatures& features);
+  /// The same with the view's edge points, where they are known already.
+  ContourField(const ViewFeatures& features, const EdgelMap& edgels);
   explicit ContourField(ViewFeatures&&) = delete;  // it would not outlive the field
 
   int width() const { return width_; }
@@ -79,7 +83,7 @@ class ContourField {
   template <typename Visit>
   void walk(const Eigen::Vector2d& x, const Eigen::Vector2d& normal, double reach_px,
             Visit visit) const;
-  void build_bins(const ViewFeatures& features);
+  void build_bins(const std::vector<ContourPixel>& contour);
 
   const ViewFeatures* features_;
   int width_ = 0, height_ = 0;

@@ -32,6 +32,8 @@ struct ViewLines {
 
 /// Segments and corners of one view.
 ViewLines find_lines(const View& view);
+/// The same from the view's edge points.
+ViewLines find_lines(const View& view, const EdgelMap& edgels);
 /// The corners, planes and stops of given segments, longest first.
 ViewLines lines_of_segments(const IdealView& ideal, int width, int height,
                             std::vector<Segment> segments);

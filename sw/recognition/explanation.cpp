@@ -41,18 +41,21 @@ Rejection report_rejection(const SceneInput& input, const Candidate& candidate) 
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const std::vector<PoseHypothesis>& hypotheses,
                     const ExplanationOptions& options) {
-  return explain(views, library, ModelFacts(library), hypotheses, {}, options);
+  std::vector<EdgelMap> edgels;
+  for (const View& view : views) edgels.push_back(find_edgels(view.features));
+  return explain(views, edgels, library, ModelFacts(library), hypotheses, {}, options);
 }
 
-Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
-                    const ModelFacts& facts, const std::vector<PoseHypothesis>& hypotheses,
-                    const MoreHypotheses& more, const ExplanationOptions& options) {
+Explanation explain(const std::vector<View>& views, const std::vector<EdgelMap>& edgels,
+                    const std::vector<Model>& library, const ModelFacts& facts,
+                    const std::vector<PoseHypothesis>& hypotheses, const MoreHypotheses& more,
+                    const ExplanationOptions& options) {
   std::vector<ContourField> fields;
   fields.reserve(views.size());
   SceneInput input{{}, {}, library, facts, hypotheses, more};
-  for (const View& view : views) {
-    fields.emplace_back(view.features);
-    input.views.push_back({&view.camera, &fields.back()});
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    fields.emplace_back(views[v].features, edgels[v]);
+    input.views.push_back({&views[v].camera, &fields.back()});
     input.maps.push_back(spread_map(fields.back()));
   }
   SceneSearch search(input, options.search);

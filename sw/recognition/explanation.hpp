@@ -21,11 +21,13 @@ struct Explanation {
 
 /// The set of objects that explains the views together: each of them verified with the others
 /// in front of it, none in another's place, none where two different answers are equally good.
-/// Deterministic. `more` is asked once, with the objects found so far; it may be empty.
-Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
-                    const ModelFacts& facts, const std::vector<PoseHypothesis>& hypotheses,
-                    const MoreHypotheses& more, const ExplanationOptions& options = {});
-/// The same with facts of its own and no more hypotheses.
+/// Deterministic. `edgels` are the views' edge points; `more` is asked once, with the objects found
+/// so far; it may be empty.
+Explanation explain(const std::vector<View>& views, const std::vector<EdgelMap>& edgels,
+                    const std::vector<Model>& library, const ModelFacts& facts,
+                    const std::vector<PoseHypothesis>& hypotheses, const MoreHypotheses& more,
+                    const ExplanationOptions& options = {});
+/// The same with edge points and facts of its own and no more hypotheses.
 Explanation explain(const std::vector<View>& views, const std::vector<Model>& library,
                     const std::vector<PoseHypothesis>& hypotheses,
                     const ExplanationOptions& options = {});

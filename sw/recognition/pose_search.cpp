@@ -34,7 +34,8 @@ PoseSearch search_poses(const std::vector<View>& views, const std::vector<Model>
   Clock clock(out.stages);
   std::size_t segments = 0;
   for (const View& v : views) {
-    out.lines.push_back(find_lines(v));
+    out.edgels.push_back(find_edgels(v.features));
+    out.lines.push_back(find_lines(v, out.edgels.back()));
     segments += out.lines.back().segments.size();
   }
   clock.stage("segments", segments);

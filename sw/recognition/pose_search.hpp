@@ -10,8 +10,10 @@
 
 namespace trihedron {
 
-/// What method full knows before it looks closely: lines per view, edges in space, poses.
+/// What method full knows before it looks closely: edge points and lines per view, edges in space,
+/// poses.
 struct PoseSearch {
+  std::vector<EdgelMap> edgels;  ///< per view
   std::vector<ViewLines> lines;  ///< per view
   std::vector<SpaceEdge> edges;
   std::vector<PoseHypothesis> hypotheses;  ///< likeliest first

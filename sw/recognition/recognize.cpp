@@ -33,7 +33,8 @@ RecognitionResult Recognizer::recognize_full(const std::vector<View>& views) con
   const auto more = [&](const std::vector<PlacedModel>& known) {
     return search_rest(views, search, known, library_, index_);
   };
-  Explanation explanation = explain(views, library_, facts_, search.hypotheses, more);
+  Explanation explanation =
+      explain(views, search.edgels, library_, facts_, search.hypotheses, more);
   result.objects = std::move(explanation.objects);
   result.rejections = std::move(explanation.rejections);
   result.surfaces = std::move(explanation.surfaces);

@@ -43,9 +43,11 @@ std::vector<Stop> stops_of(const ViewLines& v, int segment) {
 
 }  // namespace
 
-ViewLines find_lines(const View& view) {
+ViewLines find_lines(const View& view) { return find_lines(view, find_edgels(view.features)); }
+
+ViewLines find_lines(const View& view, const EdgelMap& edgels) {
   return lines_of_segments(IdealView(view.camera), view.features.width, view.features.height,
-                           find_segments(find_edgels(view.features), view.camera));
+                           find_segments(edgels, view.camera));
 }
 
 ViewLines lines_of_segments(const IdealView& ideal, int width, int height,
