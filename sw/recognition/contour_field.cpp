@@ -185,7 +185,7 @@ float ContourField::step(const float* gradients) const {
 
 EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
   constexpr int kReach = 5;  // the bell's half width and as far as it moves
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 4;
   constexpr float kSettledPx = 1e-3F;
   // The bell covers at most 7 samples: two registers' worth from its first one on.
   std::array<float, 2 * kReach + 2> g{};  // along the normal; known from `first` up to `last`
