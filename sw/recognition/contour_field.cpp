@@ -183,32 +183,51 @@ float ContourField::step(const float* gradients) const {
   return sum / (static_cast<float>(noise_) * std::sqrt(squares));
 }
 
+namespace {
+
+constexpr int kProfileReach = 5;  // the bell's half width and as far as it moves
+
+/// Gradients along a normal, known from `first` up to `last`. The bell covers at most 7 of them:
+/// two registers' worth from its first one on.
+struct ProfileSamples {
+  std::array<float, 2 * kProfileReach + 2> g{};
+  int first = kProfileReach, last = kProfileReach - 1;
+
+  /// Takes what is not known yet from `low` to `high`: take(from, to, out), counted from the
+  /// middle.
+  template <typename Take>
+  void reach(int low, int high, const Take& take) {
+    if (low < first) take(low - kProfileReach, first - 1 - kProfileReach, &g[low]);
+    if (high > last) take(last + 1 - kProfileReach, high - kProfileReach, &g[last + 1]);
+    first = std::min(first, low);
+    last = std::max(last, high);
+  }
+};
+
+}  // namespace
+
 EdgeProfile ContourField::profile(const Eigen::Vector2d& x, const Eigen::Vector2d& normal) const {
-  constexpr int kReach = 5;  // the bell's half width and as far as it moves
   constexpr int kRounds = 4;
   constexpr float kSettledPx = 1e-3F;
-  // The bell covers at most 7 samples: two registers' worth from its first one on.
-  std::array<float, 2 * kReach + 2> g{};  // along the normal; known from `first` up to `last`
-  int first = kReach, last = kReach - 1;
+  const auto take = [&](int from, int to, float* out) {
+    gradients_along(x, normal, from, to, out);
+  };
+  ProfileSamples samples;
   const auto noise = static_cast<float>(noise_);
   float centre = 0, sum = 0;
   Lanes u[2], w[2];
   for (int round = 0; round < kRounds; ++round) {
     // The centre of gravity under a bell that follows it: unbiased for any symmetric blur.
-    const float start = kReach + centre - kBellPx, end = kReach + centre + kBellPx;  // 0 to 10
+    const float start = kProfileReach + centre - kBellPx;  // at least 0
     const int low = static_cast<int>(start) + (static_cast<float>(static_cast<int>(start)) < start);
-    const int high = static_cast<int>(end);
     // Samples outside the bell need not be taken: most edges are near the point.
-    if (low < first) gradients_along(x, normal, low - kReach, first - 1 - kReach, &g[low]);
-    if (high > last) gradients_along(x, normal, last + 1 - kReach, high - kReach, &g[last + 1]);
-    first = std::min(first, low);
-    last = std::max(last, high);
-    u[0] = Lanes{0, 1, 2, 3} + (static_cast<float>(low - kReach) - centre);
+    samples.reach(low, static_cast<int>(kProfileReach + centre + kBellPx), take);
+    u[0] = Lanes{0, 1, 2, 3} + (static_cast<float>(low - kProfileReach) - centre);
     u[1] = u[0] + 4;
     Lanes weighted{}, moment{};
     for (int k = 0; k < 2; ++k) {
       w[k] = bell(u[k]);
-      const Lanes wg = w[k] * load(&g[low + 4 * k]);
+      const Lanes wg = w[k] * load(&samples.g[low + 4 * k]);
       weighted += wg;
       moment += wg * u[k];
     }
