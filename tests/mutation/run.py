@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Looks for what kills each mutant, cheapest first: some frames of the regression, the directed tests, the
 proofs, more frames; before the proofs equivalence.py tries to prove that it is the same design. What is
-left must stand in equivalent.txt. Writes results.jsonl, mutant by mutant, and a Markdown table per module;
+left must stand in equivalent.txt. Writes answers.jsonl, stage by stage, and a Markdown table per module;
 exit code 1 when others are left. Interrupted, it goes on with --continue."""
 
 import argparse
@@ -23,30 +23,38 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SAME = "same design"
 
 
-def judge(mutant, stages):
-    """The first stage that kills it or finds it to be the same design decides."""
-    for name, ask in stages:
-        if how := ask(mutant):
-            return {**mutant, "stage": name, "by": how}
-    return {**mutant, "stage": "", "by": ""}
+class Answers:
+    """What each stage said of each mutant, kept in a file as soon as it is known."""
+
+    def __init__(self, path, keep):
+        self.known, self.lock = {}, threading.Lock()
+        if keep and path.exists():
+            for line in map(json.loads, path.read_text().splitlines()):
+                self.known[line["mutant"], line["stage"]] = line["by"]
+        self.file = path.open("a" if keep else "w")
+
+    def ask(self, stage, kill, mutant):
+        by = self.known.get((mutant["command"], stage))
+        if by is None:
+            by = kill(mutant)
+            with self.lock:
+                self.file.write(json.dumps({"mutant": mutant["command"], "stage": stage, "by": by}) + "\n")
+                self.file.flush()
+        return by
 
 
-def judge_all(mutants, stages, jobs, path, resume):
-    """Results in the order of `mutants`; each is in the file as soon as it is known."""
-    known = {}
-    if resume and path.exists():
-        known = {r["id"]: r for r in map(json.loads, path.read_text().splitlines())}
-    lock = threading.Lock()
-    with path.open("a" if resume else "w") as file, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        def one(mutant):
-            if mutant["id"] in known:
-                return known[mutant["id"]]
-            result = judge(mutant, stages)
-            with lock:
-                file.write(json.dumps(result) + "\n")
-                file.flush()
-            return result
-        return list(pool.map(one, mutants))
+def judge_all(mutants, stages, jobs, answers):
+    """Stage by stage those that are left; the first that kills one or finds the same design decides."""
+    results = {m["id"]: {**m, "stage": "", "by": ""} for m in mutants}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for stage, kill in stages:
+            left = [m for m in mutants if not results[m["id"]]["stage"]]
+            for mutant, by in zip(left, pool.map(lambda m: answers.ask(stage, kill, m), left)):
+                if by:
+                    results[mutant["id"]].update(stage=stage, by=by)
+            print(f"{stage}: {len(left)} asked, "
+                  f"{sum(r['stage'] == stage for r in results.values())} decided", flush=True)
+    return [*results.values()]
 
 
 def state(result, explained):
@@ -77,7 +85,7 @@ def parse():
     parser.add_argument("--every", type=int, default=1, help="take each N-th mutant only")
     parser.add_argument("--only", type=int, nargs="+", help="take the mutants of these numbers only")
     parser.add_argument("--continue", dest="resume", action="store_true",
-                        help="keep what results.jsonl says already")
+                        help="keep what answers.jsonl says already")
     parser.add_argument("--no-proofs", action="store_true", help="simulate only")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     return parser.parse_args()
@@ -97,7 +105,8 @@ def main():
     if not arguments.no_proofs:
         stages[2:2] = [(SAME, functools.partial(equivalence.proved, arguments.folder)),
                        ("proofs", functools.partial(proofs.broken, arguments.folder))]
-    results = judge_all(mutants, stages, arguments.jobs, arguments.folder / "results.jsonl", arguments.resume)
+    answers = Answers(arguments.folder / "answers.jsonl", arguments.resume)
+    results = judge_all(mutants, stages, arguments.jobs, answers)
     explained = rtl_place.read_list(ROOT / "tests/mutation/equivalent.txt")
     report = table(results, [name for name, _ in stages], explained)
     (arguments.folder / "results.md").write_text(report)
