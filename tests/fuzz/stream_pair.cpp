@@ -11,8 +11,9 @@ constexpr int kResetClocks = 8;
 // Without a transfer for so long the device hangs: longer than every gap of a case, and than the
 // drain of its frames.
 constexpr std::uint64_t kHangClocks = 1 << 17;
-// What nobody asked for shows within so many clocks.
-constexpr std::uint64_t kSilentClocks = 256;
+// What nobody asked for shows within so many clocks, or within twelve rows of the widest frame: a slot is
+// as long as the wider of two widths, and so many rows push the last frame out (row_slots).
+constexpr std::uint64_t kSilentClocks = 256 + 12 * static_cast<std::uint64_t>(sim::kMaxWidthPx);
 
 std::vector<sim::SettingsChange> settings_of(const StreamCase& stream_case) {
   std::vector<sim::SettingsChange> all;
