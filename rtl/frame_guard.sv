@@ -66,7 +66,7 @@ module frame_guard #(
   localparam int ShortLine = 0, LongLine = 1, TooWide = 2, TooNarrow = 3, TooTall = 4,
                  NoStart = 5, EarlyStart = 6, TooFewRows = 7;
 
-  logic in_valid, in_ready, sof, eol;
+  logic front_valid, in_valid, in_ready, sof, eol;
   skid_buffer #(
       .Width(10)
   ) i_input (
@@ -75,7 +75,7 @@ module frame_guard #(
       .s_tvalid_i(s_axis_tvalid_i),
       .s_tready_o(s_axis_tready_o),
       .s_tdata_i ({s_axis_tdata_i, s_axis_tuser_i, s_axis_tlast_i}),
-      .m_tvalid_o(in_valid),
+      .m_tvalid_o(front_valid),
       .m_tready_i(in_ready),
       .m_tdata_o ({pixel_o, sof, eol})
   );
@@ -84,8 +84,9 @@ module frame_guard #(
   // begun. After a fault the rest of the frame is dropped without further notice: quiet.
   logic active_q, begun_q, quiet_q;
   // For what is in flight to leave wait a start of frame, until new settings are loaded, and a first
-  // line, taken but not announced.
-  logic settings_wait_q, settings_loaded_q, width_wait_q, go, settings_stop;
+  // line, taken but not announced. A pixel that comes later than the time-out waits until its
+  // frame has ended: late.
+  logic settings_wait_q, settings_loaded_q, width_wait_q, late_q, go, settings_stop;
   logic take, arrival, start, step, whole, ends, commit, timed_out, end_now;
   logic in_line, fits, must_end, same_width, last_row, over_max, few_rows, fifth, height_known;
   line_checks #(
@@ -117,7 +118,8 @@ module frame_guard #(
 
   assign go = ring_ready_i && line_ready_i && !width_wait_q;
   assign settings_stop = sof && settings_changed_i && !settings_loaded_q;
-  assign in_ready = go && !settings_stop;
+  assign in_valid = front_valid && !late_q;
+  assign in_ready = go && !settings_stop && !late_q;
   assign take = in_valid && in_ready;
   assign start = take && sof;
   assign arrival = in_valid && sof && go;  // ends the frame before, also while it waits itself
@@ -132,8 +134,9 @@ module frame_guard #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {active_q, begun_q, quiet_q, settings_wait_q, settings_loaded_q, width_wait_q} <= '0;
+      {active_q, begun_q, quiet_q, settings_wait_q, settings_loaded_q, width_wait_q, late_q} <= '0;
     end else begin
+      late_q            <= timed_out && !in_valid && !go;
       settings_wait_q   <= arrival && settings_stop && !load_settings_o;
       settings_loaded_q <= load_settings_o || (settings_loaded_q && !take);
       width_wait_q      <= (commit && !begun_q && !same_width) || (width_wait_q && !width_free_i);

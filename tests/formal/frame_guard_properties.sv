@@ -3,7 +3,7 @@
 // frame_guard for any input stream: the lines it announces make frames of one width and at most
 // MaxHeightPx rows, each line is one whole input line, in order, at the place in the ring where its
 // reader looks, and nothing that waits there is overwritten. It never blocks a patient reader's
-// input. With a good stream nothing is lost or reported.
+// input, nor forgets a time-out. With a good stream nothing is lost or reported.
 //
 // Each input pixel is marked with its place in the stream; the design only moves pixels, so the
 // marks say whether they are moved right.
@@ -262,6 +262,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.settings_wait_q ;
   (* hierconn *) wire \dut.settings_loaded_q ;
   (* hierconn *) wire \dut.announce_q ;
+  (* hierconn *) wire \dut.late_q ;
   (* hierconn *) wire [10:0] \dut.left_low_q , \dut.left_high_q ;
   (* hierconn *) wire \dut.i_checks.in_line_o ;
   (* hierconn *) wire \dut.i_checks.fits_o ;
@@ -287,10 +288,22 @@ module frame_guard_properties #(
   wire [2:0] width_next = waits ? \dut.i_checks.col_q : last_col + 3'd1;
   wire [2:0] rows_next = announced ? rows : rows_q;
 
+  // A time-out that has passed ends its frame before another pixel is taken, however long room,
+  // width or settings let it wait.
+  wire timed_out = \dut.left_high_q [10];
+  logic due_q;
+  always_ff @(posedge clk_i) begin
+    due_q <= rst_ni && active && (due_q || (timed_out && !tvalid && begun && !in_line &&
+                                            !\dut.i_checks.height_known_o ));
+    if (started_q && rst_ni && Shape) assert (!due_q || !active || !tvalid || !tready);
+  end
+
   logic start_pending_q;
   always_ff @(posedge clk_i) begin
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
+      assert (!\dut.late_q || timed_out);
+      assert (!due_q || !active || (\dut.late_q && begun && !in_line && !\dut.i_checks.height_known_o ));
       assert (was_reset_q || line_tag != line_tag_q || \dut.i_checks.limit_q == last_col - 3'd1);
       assert (\ring.read_q == read_q && \dut.i_checks.height_q == 12'(height_q));
       assert (\ring.line_q == (announced && line_whole ? base_q : last_start_q));
@@ -303,7 +316,8 @@ module frame_guard_properties #(
       assert (\ring.nearly_full_q ? fill >= 6'd16 : fill <= 6'd24);
       assert (waiting <= waiting_q + 6'd6 && waiting_q <= waiting + 6'd1);
       assert (stall_q == '0 || (!waits && ring_ready));
-      assert (stall_q <= (\dut.settings_loaded_q ? 3'd3 : \dut.settings_wait_q ? 3'd2 : 3'd1));
+      assert (stall_q <= (\dut.settings_loaded_q ? 3'd4 : \dut.settings_wait_q ? 3'd3 :
+                          \dut.late_q ? 3'd1 : 3'd2));
       assert ((announced ? !line_last : open_q) == (active && begun));
       assert (!announced || (line_first == !open_q && (line_whole || (line_last && open_q)) &&
                              !(line_first && line_last)));
@@ -335,6 +349,7 @@ module frame_guard_properties #(
         assert (\dut.i_checks.five_q == (rows_next >= 3'd5));
       end
       if (Good) begin
+        assert (!\dut.late_q );
         assert (\dut.left_low_q == 11'd16 - 11'(pause_q) && \dut.left_high_q == '0);
         assert (!open_q || last_col == width - 3'd1);
         assert (!active || !begun || (waits ? width_next == width : last_col == width - 3'd1));
