@@ -97,6 +97,20 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a time-out that passes while a first line waits for its width ends that frame") {
+  // The third width waits until the first has left, 12 lines of 1600 px behind it; by then the
+  // time-out is over, and pixels without a start of frame wait.
+  SourceFrame late = frame_of(polygons(9, 7, 4));
+  late.fault = Fault::kMissingStart;
+  late.gap_clocks = 2 * checked().flush_timeout;
+  const Report report =
+      run_all(checked(), {frame_of(polygons(1600, 5, 1)), frame_of(polygons(700, 5, 2)),
+                          frame_of(polygons(8, 1, 3)), late, frame_of(polygons(30, 20, 5))});
+  INFO((report.mismatch ? report.mismatch->text() : ""));
+  REQUIRE(report.passed());
+  CHECK(report.compared.frames == kViews * 4);
+}
+
 TEST_CASE("the frame tag wraps around after 256 frames, the counters do not") {
   const std::vector<SourceFrame> frames(260, frame_of(polygons(5, 5, 2)));
   const Report report = run_all(checked(), frames);
