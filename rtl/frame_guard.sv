@@ -171,21 +171,13 @@ module frame_guard #(
     end
   end
 
-  // Both run while nothing arrives; the count down to the time-out ends below 0, its upper half a clock
-  // behind the lower.
-  logic [4:0] idle_clocks_q;
-  logic [10:0] left_low_q, left_high_q;
-  assign {idle_o, timed_out} = {idle_clocks_q[4], left_high_q[10]};
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || in_valid) idle_clocks_q <= '0;
-    else if (!idle_o) idle_clocks_q <= idle_clocks_q + 5'd1;
-    if (!rst_ni || in_valid) begin
-      {left_high_q, left_low_q} <= {1'b0, flush_timeout_i[19:10], 1'b0, flush_timeout_i[9:0]};
-    end else if (!timed_out) begin
-      left_low_q <= {1'b0, left_low_q[9:0]} - 11'd1;
-      if (left_low_q[10]) left_high_q <= left_high_q - 11'd1;
-    end
-  end
+  idle_timer i_idle (
+      .clk_i,
+      .restart_i(!rst_ni || in_valid),
+      .timeout_i(flush_timeout_i),
+      .idle_o,
+      .timed_out_o(timed_out)
+  );
 
   always_ff @(posedge clk_i) begin
     event_o[ShortLine]  <= step && eol && begun_q && !same_width;

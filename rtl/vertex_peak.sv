@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Stage 4, second window: the vertices, where the vertex score is at least 25 and the largest of
-// 5x3 pixels.
-//
-// The score (see vertex_score) must be above those before it in raster order and not below those
-// after it. Per column of the three rows only their maximum is kept, one added where the centre
-// must be above:
-//
-//   d = max(score above + 1, score below),  left = max(d, score + 1),  right = max(d, score)
+// 5x3 pixels (see vertex_score, vertex_maximum).
 //
 //   slot in    see slot_tracker; before_last_i both widths - 2; value_i, above_i see vertex_value
 //   vertex_*   in raster order, at least three columns apart, coordinates in px; branches and
@@ -42,7 +36,6 @@ module vertex_peak #(
     illegal_MaxWidthPx_5_to_4080 stop ();
   end
   localparam int ColBits = $clog2(MaxWidthPx);
-  localparam logic [6:0] LeastScore = 7'd25;
 
   logic valid1, valid2, sol2, sof2, first2, is_end2;
   logic [1:0] end_fault2;
@@ -125,65 +118,19 @@ module vertex_peak #(
       .rdata_o({older_on, older})
   );
 
-  // Clock 2: the column. Clock 4: scores of the rows above, at and below the centre.
-  logic [6:0] column_q, above4, at4, below4;
+  // Clocks 2-8: the vertex scores of three rows, and whether the centre's is the largest around.
+  logic [6:0] column_q;
+  logic valid7, sol7, sof7, rows_inside7, inside_q;
   always_ff @(posedge clk_i) column_q <= values;
-  vertex_score i_above (
+  vertex_maximum i_maximum (
       .clk_i,
+      .rst_ni,
       .valid_i (valid2),
-      .column_i(column_q[4:0]),
-      .score_o (above4)
+      .column_i(column_q),
+      .within_i(rst_ni && valid7 && inside_q),
+      .score_o (vertex_strength_o),
+      .peak_o  (vertex_valid_o)
   );
-  vertex_score i_at (
-      .clk_i,
-      .valid_i (valid2),
-      .column_i(column_q[5:1]),
-      .score_o (at4)
-  );
-  vertex_score i_below (
-      .clk_i,
-      .valid_i (valid2),
-      .column_i(column_q[6:2]),
-      .score_o (below4)
-  );
-
-  // Clocks 5-8: maxima of each column; of columns from two right of the centre (low bits) to two
-  // left of it. The centre waits inverted: carry chains of small FPGAs only add.
-  logic [6:0] above_plus1, at_plus1, d5_q, at5_q, d6_q, at6_q, left6_q, right6_q, not_centre_q;
-  logic [13:0] right7_q, at7_q;
-  logic [20:0] d7_q;
-  logic [34:0] left7_q;
-  logic valid6, valid7, sol7, sof7, rows_inside7, inside_q, candidate_q;
-  logic [1:0] exceeds_q;
-  assign above_plus1 = above4 + 7'd1;
-  assign at_plus1 = at5_q + 7'd1;
-  function automatic logic exceeds_centre(input logic [6:0] score);
-    logic [6:0] unused_sum;
-    {exceeds_centre, unused_sum} = {1'b0, score} + {1'b0, not_centre_q};
-  endfunction
-  always_ff @(posedge clk_i) begin
-    d5_q  <= above_plus1 > below4 ? above_plus1 : below4;
-    at5_q <= at4;
-
-    left6_q  <= d5_q > at_plus1 ? d5_q : at_plus1;
-    right6_q <= d5_q > at5_q ? d5_q : at5_q;
-    d6_q     <= d5_q;
-    at6_q    <= at5_q;
-
-    if (valid6) begin
-      right7_q <= {right7_q[6:0], right6_q};
-      {not_centre_q, at7_q} <= {~at7_q[13:7], at7_q[6:0], at6_q};
-      d7_q    <= {d7_q[13:0], d6_q};
-      left7_q <= {left7_q[27:0], left6_q};
-    end
-
-    exceeds_q <= {exceeds_centre(right7_q[6:0]) || exceeds_centre(right7_q[13:7]) ||
-                  exceeds_centre(d7_q[20:14]),
-                  exceeds_centre(left7_q[27:21]) || exceeds_centre(left7_q[34:28])};
-    candidate_q       <= rst_ni && valid7 && inside_q && ~not_centre_q >= LeastScore;
-    vertex_strength_o <= ~not_centre_q;
-  end
-  assign vertex_valid_o = candidate_q && exceeds_q == '0;
 
   // Clocks 1-8: the branches around the centre, two columns behind the scores' newest.
   logic [4:0] on_q, on_late_q, on4;
@@ -229,31 +176,13 @@ module vertex_peak #(
     if (ends2) fault_q <= faults_q[3:2];
   end
   delay_line #(
-      .Width (1),
-      .Clocks(4)
-  ) i_valid (
-      .clk_i,
-      .rst_ni,
-      .data_i(valid2),
-      .data_o(valid6)
-  );
-  delay_line #(
-      .Width (4),
+      .Width (5),
       .Clocks(5)
   ) i_position (
       .clk_i,
       .rst_ni,
-      .data_i({valid2, sol2, sof2, rows_real_q[5:1] == '1}),
-      .data_o({valid7, sol7, sof7, rows_inside7})
-  );
-  delay_line #(
-      .Width (1),
-      .Clocks(5)
-  ) i_end (
-      .clk_i,
-      .rst_ni,
-      .data_i(ends2),
-      .data_o(end7)
+      .data_i({valid2, sol2, sof2, rows_real_q[5:1] == '1, ends2}),
+      .data_o({valid7, sol7, sof7, rows_inside7, end7})
   );
 
   // Clock 8: position of the centre, and whether the five rows around it are a frame's. Frames

@@ -83,26 +83,19 @@ module vertex_value #(
       .end_fault_o()
   );
 
-  // Clocks 1-4: the branches, from one bit per pixel and its place on the ring. The sectors along
-  // the radius of ring pixel k are centred at 16 + 4 k, for odd k at 16 + 4.7 and 16 + 11.3 and so
-  // on; all are the same 12 or 13 sectors, moved on.
-  function automatic logic along(input logic [4:0] sector, input int k);
-    logic [4:0] moved;
-    moved = sector - 5'(10 + 4 * k);
-    along = k % 4 == 3 ? moved == 5'd31 || moved < 5'd12 : moved < (k % 4 == 1 ? 5'd13 : 5'd12);
-  endfunction
+  // Clocks 1-4: the branches, from one bit per pixel and its place on the ring.
   logic [4:0] on;
+  logic [24:0] sectors;
   logic [14:0] radial;
   for (genvar j = 0; j < 5; j++) begin : gen_rows
     assign {on[j], directions[7*j+:7]} = column[8*j+:8];
+    assign sectors[5*j+:5] = column[8*j+:5];
   end
-  for (genvar i = 0; i < 5; i++) begin : gen_columns
-    assign radial[i]    = on[0] && along(directions[4:0], 14 - i);
-    assign radial[10+i] = on[4] && along(directions[32:28], 2 + i);
-  end
-  assign radial[9:5] = {on[3] && along(directions[25:21], 7), on[3] && along(directions[25:21], 1),
-                        on[2] && along(directions[18:14], 0), on[1] && along(directions[11:7], 9),
-                        on[1] && along(directions[11:7], 15)};
+  vertex_radial i_radial (
+      .on_i(on),
+      .sectors_i(sectors),
+      .radial_o(radial)
+  );
 
   logic [3:0] branches, group;
   logic [2:0] two;
@@ -128,111 +121,47 @@ module vertex_value #(
       .pattern_o()
   );
 
-  // Clocks 1-3: the directions' window follows two clocks behind the bits.
-  logic [34:0] directions_late;
-  logic [174:0] window_q;
-  logic column_late_valid;
-  delay_line #(
-      .Width (36),
-      .Clocks(2)
-  ) i_directions (
+  // Clocks 4, 5: {touches, direction} of three of them.
+  logic [7:0] first, second, last;
+  vertex_branches i_branches (
       .clk_i,
       .rst_ni,
-      .data_i({column_valid, directions}),
-      .data_o({column_late_valid, directions_late})
+      .valid_i(column_valid),
+      .column_i(directions),
+      .group_i(group),
+      .two_i(two),
+      .low_i(low),
+      .high_i(high),
+      .touches_i(touches),
+      .first_o(first),
+      .second_o(second),
+      .last_o(last)
   );
-  always_ff @(posedge clk_i) begin
-    if (column_late_valid) window_q <= {directions_late, window_q[174:35]};
-  end
-
-  // Window pixel (5 column + row) of ring pixel k.
-  function automatic int ring(input int k);
-    case (k)
-      0: ring = 22;
-      1: ring = 23;
-      2: ring = 24;
-      3: ring = 19;
-      4: ring = 14;
-      5: ring = 9;
-      6: ring = 4;
-      7: ring = 3;
-      8: ring = 2;
-      9: ring = 1;
-      10: ring = 0;
-      11: ring = 5;
-      12: ring = 10;
-      13: ring = 15;
-      14: ring = 20;
-      default: ring = 21;
-    endcase
-  endfunction
-
-  // Clocks 4, 5: {touches, direction} of the first, the second and the last branch, first within
-  // each quarter.
-  logic [31:0] lows_q, highs_q;
-  logic [3:0] group4_q;
-  logic [2:0] two4_q;
-  logic [7:0] first_q, second_q, last_q;
-  logic inner4_q;
-  logic [127:0] places;
-  function automatic logic [7:0] pick(input logic [31:0] quarter, input logic [1:0] k);
-    case (k)
-      2'd0: pick = quarter[7:0];
-      2'd1: pick = quarter[15:8];
-      2'd2: pick = quarter[23:16];
-      default: pick = quarter[31:24];
-    endcase
-  endfunction
-  for (genvar k = 0; k < 16; k++) begin : gen_places
-    assign places[8*k+:8] = {touches[k], window_q[7*ring(k)+:7]};
-  end
-  always_ff @(posedge clk_i) begin
-    group4_q <= group;
-    two4_q   <= two;
-    inner4_q <= inner;
-    for (int g = 0; g < 4; g++) begin
-      lows_q[8*g+:8]  <= pick(places[32*g+:32], low[2*g+:2]);
-      highs_q[8*g+:8] <= pick(places[32*g+:32], high[2*g+:2]);
-    end
-    if (group4_q[0]) first_q <= lows_q[7:0];
-    else if (group4_q[1]) first_q <= lows_q[15:8];
-    else if (group4_q[2]) first_q <= lows_q[23:16];
-    else first_q <= lows_q[31:24];
-    if (group4_q[3]) last_q <= highs_q[31:24];
-    else if (group4_q[2]) last_q <= highs_q[23:16];
-    else if (group4_q[1]) last_q <= highs_q[15:8];
-    else last_q <= highs_q[7:0];
-    if (group4_q[0] && two4_q[0]) second_q <= highs_q[7:0];
-    else if (group4_q[0] ? group4_q[1] : two4_q[1]) begin
-      second_q <= group4_q[0] ? lows_q[15:8] : highs_q[15:8];
-    end else if (group4_q[1:0] != '0 ? group4_q[2] : two4_q[2]) begin
-      second_q <= group4_q[1:0] != '0 ? lows_q[23:16] : highs_q[23:16];
-    end else begin
-      second_q <= group4_q[2:0] != '0 ? lows_q[31:24] : highs_q[31:24];
-    end
-  end
 
   // Clocks 6-8: turns against their bounds. The weaker of two classes is 1 where one of them is.
   function automatic logic [6:0] weaker(input logic [7:0] a, input logic b_touches);
     weaker = {a[7] && b_touches ? a[6:5] : 2'd1, a[4:0]};
   endfunction
-  logic two5_q, two8, in_frame4, turns_second, turns_last;
+  logic inner4_q, two5_q, two8, in_frame4, turns_second, turns_last;
   vertex_turn i_second (
       .clk_i,
       .min_turn_i,
-      .a_i(weaker(first_q, second_q[7])),
-      .b_i(second_q[6:0]),
+      .a_i(weaker(first, second[7])),
+      .b_i(second[6:0]),
       .turns_o(turns_second)
   );
   vertex_turn i_last (
       .clk_i,
       .min_turn_i,
-      .a_i(weaker(first_q, last_q[7])),
-      .b_i(last_q[6:0]),
+      .a_i(weaker(first, last[7])),
+      .b_i(last[6:0]),
       .turns_o(turns_last)
   );
   assign value_o = two8 && (turns_second || turns_last);
-  always_ff @(posedge clk_i) two5_q <= in_frame4 && inner4_q && branches > 4'd1;
+  always_ff @(posedge clk_i) begin
+    inner4_q <= inner;
+    two5_q   <= in_frame4 && inner4_q && branches > 4'd1;
+  end
   delay_line #(
       .Width (1),
       .Clocks(3)

@@ -2,8 +2,8 @@
 //
 // One camera's pipeline: pixels in, contour stream and vertex records out.
 //
-//   frame_guard -> row_slots -> contours -> vertices -> vertex_packer
-//                                      \-> contour_packer
+//   row_source -> contours -> vertices -> vertex_packer
+//                         \-> contour_packer
 //
 // Beats flow through the stages without ever stalling: a pixel enters only when both packers
 // have room for everything that is under way.
@@ -64,34 +64,23 @@ module view_pipeline #(
   localparam int SettingsBits = 16 + MagnitudeBits + 5 + (MagnitudeBits + 5) + MagnitudeBits + 5;
 
   // Settings of the frames in flight.
-  logic [SettingsBits-1:0] settings, settings_q;
-  logic settings_changed_q, load_settings;
-  logic [3:0] differs_q;
   logic [15:0] limit;
   logic [MagnitudeBits-1:0] noise_floor, branch_floor;
   logic [4:0] mean_limit, min_turn;
   logic [MagnitudeBits+4:0] support;
-  assign settings = {vertex_limit_i, noise_floor_i, mean_limit_i, support_i,
-                     branch_floor_i, min_turn_i};
-  assign {limit, noise_floor, mean_limit, support, branch_floor, min_turn} = settings_q;
-  always_ff @(posedge clk_i) begin
-    differs_q <= {vertex_limit_i != limit, {noise_floor_i, mean_limit_i} != {noise_floor, mean_limit},
-                  support_i != support, {branch_floor_i, min_turn_i} != {branch_floor, min_turn}};
-    settings_changed_q <= !hold_i && differs_q != '0;
-    if (!rst_ni || (load_settings && !hold_i)) settings_q <= settings;
-  end
 
-  logic line_valid, line_ready, line_whole, line_first, line_last;
-  logic switch_wanted, drained, idle, unread;
-  logic [1:0] line_fault;
-  logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready, read, restart;
-  logic [7:0] pixel;
+  logic contour_ready, vertex_ready, go_q;
+  always_ff @(posedge clk_i) go_q <= rst_ni && contour_ready && vertex_ready;
+
+  logic slot_valid, slot_sol, slot_sof, slot_real, slot_in_row;
+  logic [1:0] slot_fault;
+  logic [7:0] slot_data;
   logic [2*ColBits-1:0] before_last;
-  logic line_tag, width_free;
-  frame_guard #(
-      .MaxWidthPx (MaxWidthPx),
-      .MaxHeightPx(MaxHeightPx)
-  ) i_guard (
+  row_source #(
+      .MaxWidthPx  (MaxWidthPx),
+      .MaxHeightPx (MaxHeightPx),
+      .SettingsBits(SettingsBits)
+  ) i_source (
       .clk_i,
       .rst_ni,
       .s_axis_tvalid_i(s_axis_tvalid),
@@ -103,85 +92,19 @@ module view_pipeline #(
       .hold_i,
       .frame_height_i,
       .flush_timeout_i,
-      .pixel_valid_o(pixel_valid),
-      .pixel_o(pixel),
-      .pixel_first_o(pixel_first),
-      .pixel_step_o(pixel_step),
-      .pixel_commit_o(pixel_commit),
-      .ring_ready_i(ring_ready),
-      .line_valid_o(line_valid),
-      .line_ready_i(line_ready),
-      .line_whole_o(line_whole),
-      .line_first_o(line_first),
-      .line_last_o(line_last),
-      .line_fault_o(line_fault),
-      .line_tag_o(line_tag),
-      .before_last_o(before_last),
-      .width_free_i(width_free),
-      .settings_changed_i(settings_changed_q),
-      .switch_o(switch_wanted),
-      .drained_i(drained),
-      .load_settings_o(load_settings),
-      .idle_o(idle),
-      .event_o
-  );
-
-  logic contour_ready, vertex_ready, go_q;
-  always_ff @(posedge clk_i) go_q <= rst_ni && contour_ready && vertex_ready;
-
-  logic slot_valid, slot_sol, slot_sof, slot_real, slot_in_row;
-  logic [1:0] slot_fault;
-  logic [7:0] slot_data;
-  row_slots #(
-      .MaxWidthPx(MaxWidthPx)
-  ) i_slots (
-      .clk_i,
-      .rst_ni,
-      .line_valid_i(line_valid),
-      .line_ready_o(line_ready),
-      .line_whole_i(line_whole),
-      .line_first_i(line_first),
-      .line_last_i(line_last),
-      .line_fault_i(line_fault),
-      .line_tag_i(line_tag),
-      .before_last_i(before_last),
-      .width_free_o(width_free),
-      .read_o(read),
-      .restart_o(restart),
-      .unread_o(unread),
+      .settings_i({
+        vertex_limit_i, noise_floor_i, mean_limit_i, support_i, branch_floor_i, min_turn_i
+      }),
+      .settings_o({limit, noise_floor, mean_limit, support, branch_floor, min_turn}),
+      .event_o,
       .go_i(go_q),
-      .idle_i(idle),
-      .switch_i(switch_wanted),
-      .drained_o(drained),
       .valid_o(slot_valid),
       .sol_o(slot_sol),
       .sof_o(slot_sof),
       .real_o(slot_real),
       .fault_o(slot_fault),
-      .in_row_o(slot_in_row)
-  );
-
-  // The ring reads a clock later; where a line is committed in between, its restart would be wrong.
-  logic read_q, restart_q;
-  always_ff @(posedge clk_i) begin
-    read_q    <= rst_ni && read;
-    restart_q <= rst_ni && restart && !pixel_commit;
-  end
-  pixel_ring #(
-      .MaxWidthPx (MaxWidthPx),
-      .AddressBits($clog2(MaxWidthPx + 16))
-  ) i_ring (
-      .clk_i,
-      .rst_ni,
-      .pixel_valid_i(pixel_valid),
-      .pixel_i(pixel),
-      .first_i(pixel_first),
-      .step_i(pixel_step),
-      .commit_i(pixel_commit),
-      .ready_o(ring_ready),
-      .read_i(read_q),
-      .restart_i(restart_q),
-      .unread_i(unread),
+      .in_row_o(slot_in_row),
+      .before_last_o(before_last),
       .data_o(slot_data)
   );
 

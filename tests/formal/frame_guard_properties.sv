@@ -263,7 +263,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.settings_loaded_q ;
   (* hierconn *) wire \dut.announce_q ;
   (* hierconn *) wire \dut.late_q ;
-  (* hierconn *) wire [10:0] \dut.left_low_q , \dut.left_high_q ;
+  (* hierconn *) wire [10:0] \dut.i_idle.left_low_q , \dut.i_idle.left_high_q ;
   (* hierconn *) wire \dut.i_checks.in_line_o ;
   (* hierconn *) wire \dut.i_checks.fits_o ;
   (* hierconn *) wire \dut.i_checks.must_end_o ;
@@ -290,7 +290,7 @@ module frame_guard_properties #(
 
   // A time-out that has passed ends its frame before another pixel is taken, however long room,
   // width or settings let it wait.
-  wire timed_out = \dut.left_high_q [10];
+  wire timed_out = \dut.i_idle.left_high_q [10];
   logic due_q;
   always_ff @(posedge clk_i) begin
     due_q <= rst_ni && active && (due_q || (timed_out && !tvalid && begun && !in_line &&
@@ -350,7 +350,7 @@ module frame_guard_properties #(
       end
       if (Good) begin
         assert (!\dut.late_q );
-        assert (\dut.left_low_q == 11'd16 - 11'(pause_q) && \dut.left_high_q == '0);
+        assert (\dut.i_idle.left_low_q == 11'd16 - 11'(pause_q) && \dut.i_idle.left_high_q == '0);
         assert (!open_q || last_col == width - 3'd1);
         assert (!active || !begun || (waits ? width_next == width : last_col == width - 3'd1));
         assert (height_q == 3'd0 || height_q == 3'd5 || height_q == 3'd6);

@@ -48,7 +48,8 @@ describe() {
   case $1 in
     frame_guard*)
       module=frame_guard properties=frame_guard engine=induction
-      others="tests/formal/wire_skid_buffer.sv rtl/line_checks.sv rtl/pixel_ring.sv rtl/line_memory.sv"
+      others="tests/formal/wire_skid_buffer.sv rtl/line_checks.sv rtl/idle_timer.sv rtl/pixel_ring.sv \
+        rtl/line_memory.sv"
       parameters="chparam -set Good 0 frame_guard_properties;"
       if [ "$1" != frame_guard ]; then parameters="chparam -set Good 1 frame_guard_properties;"; fi
       ;;
