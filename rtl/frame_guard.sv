@@ -46,6 +46,7 @@ module frame_guard #(
     output logic                            pixel_first_o,
     output logic                            pixel_step_o,
     output logic                            pixel_commit_o,
+    output logic                            pixel_begins_o,
     input  logic                            ring_ready_i,
     output logic                            line_valid_o,
     input  logic                            line_ready_i,
@@ -152,6 +153,7 @@ module frame_guard #(
   assign pixel_first_o = sof;
   assign pixel_step_o = start || step;
   assign pixel_commit_o = commit;
+  assign pixel_begins_o = !begun_q;
 
   // The announcement of the pixel taken last; one of a new width waits for it. A frame that did not
   // end badly may be too small.

@@ -3,14 +3,15 @@
 // The memory between frame_guard and row_slots: a ring of pixels in which whole lines wait.
 //
 //   pixel_*      writer: pixel_valid_i a pixel is offered, first_i it begins a frame (what came since
-//                the last commit is forgotten), step_i it is taken, commit_i it ends a whole line
+//                the last commit is forgotten), step_i it is taken, commit_i it ends a whole line,
+//                begins_i that line is its frame's first
 //   ready_o      room for the next pixel
 //   read_i       reader: a pixel of a whole line is read, data_o one clock later
-//   restart_i    with the next pixel the line begins that was committed last
+//   restart_i    with the next pixel the frame begins whose first line was committed last
 //   unread_i     the reader has lines to read
 //
-// restart_i brings a reader or writer back that an upset has moved; and since a line alone never
-// fills the ring, it is never full while nothing waits in it.
+// restart_i brings a reader or writer back that an upset has moved, also where lines always wait; and
+// since a line alone never fills the ring, it is never full while nothing waits in it.
 //
 // Latency 1 clock, 1 pixel per clock on both sides. The room ends 8 pixels early, since it is known two
 // clocks late.
@@ -25,6 +26,7 @@ module pixel_ring #(
     input  logic       first_i,
     input  logic       step_i,
     input  logic       commit_i,
+    input  logic       begins_i,
     output logic       ready_o,
     input  logic       read_i,
     input  logic       restart_i,
@@ -36,8 +38,8 @@ module pixel_ring #(
   end
 
   // Positions have one bit more than an address: their difference tells empty from full. A line begins
-  // at commit_q, the one before at line_q.
-  logic [AddressBits:0] write_q, commit_q, line_q, read_q, here, next, filled;
+  // at commit_q, the frame begun last began at frame_q.
+  logic [AddressBits:0] write_q, commit_q, frame_q, read_q, here, next, filled;
   logic nearly_full_q;
   assign here   = first_i ? commit_q : write_q;
   assign next   = here + (AddressBits + 1)'(1);
@@ -45,12 +47,13 @@ module pixel_ring #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {write_q, commit_q, line_q, read_q} <= '0;
+      {write_q, commit_q, frame_q, read_q} <= '0;
       ready_o <= 1'b0;
     end else begin
       if (step_i) write_q <= next;
-      if (commit_i) {line_q, commit_q} <= {commit_q, next};
-      if (restart_i) read_q <= line_q;
+      if (commit_i) commit_q <= next;
+      if (commit_i && begins_i) frame_q <= commit_q;
+      if (restart_i) read_q <= frame_q;
       else if (read_i) read_q <= read_q + (AddressBits + 1)'(1);
       ready_o <= !(unread_i && nearly_full_q);
     end
@@ -71,6 +74,6 @@ module pixel_ring #(
 
   // The reader is where it should be.
   always_ff @(posedge clk_i) begin
-    if (rst_ni && restart_i) assert (line_q == read_q + (AddressBits + 1)'(read_i));
+    if (rst_ni && restart_i) assert (frame_q == read_q + (AddressBits + 1)'(read_i));
   end
 endmodule

@@ -54,8 +54,10 @@ module row_slots #(
   localparam int ColBits = $clog2(MaxWidthPx);
 
   // The announcements; an end without a line is taken at once, a line when its row starts.
-  logic head_valid, head_ready, head_whole, head_first, head_last, head_only, head_tag, fifo_ready;
+  logic head_valid, head_ready, head_whole, head_first, head_last, head_tag, fifo_ready;
+  logic first_behind;  // of another frame
   logic [1:0] head_fault;
+  logic [4:0] unused_behind;
   shift_fifo #(
       .Width(6),
       .Depth(4)
@@ -69,7 +71,7 @@ module row_slots #(
       .m_tready_i(head_ready),
       .m_tdata_o ({head_tag, head_whole, head_first, head_last, head_fault}),
       .room_o(line_ready_o),
-      .single_o(head_only)
+      .behind_o({unused_behind[4:3], first_behind, unused_behind[2:0]})
   );
 
   // The slot being sent: column 0, last column; its row: first of a frame, last column, still within.
@@ -91,8 +93,8 @@ module row_slots #(
   assign other_width = start_line && head_tag != second_width_q;
   assign head_ready = start_line || !head_whole;
   assign read_o = send && real_q && in_row_q;
-  // The line that starts is the one committed last: no other is announced or waits for its width.
-  assign restart_o = start_line && head_only && !line_valid_i && !switch_i;
+  // The frame that starts is the one begun last: no other is announced or waits for its width.
+  assign restart_o = start_line && head_first && !first_behind && !(line_valid_i && line_first_i) && !switch_i;
 
   drain_count i_left (
       .clk_i,

@@ -63,7 +63,7 @@ module row_source #(
   logic line_valid, line_ready, line_whole, line_first, line_last;
   logic switch_wanted, drained, idle, unread;
   logic [1:0] line_fault;
-  logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready, read, restart;
+  logic pixel_valid, pixel_first, pixel_step, pixel_commit, pixel_begins, ring_ready, read, restart;
   logic [7:0] pixel;
   logic line_tag, width_free;
   frame_guard #(
@@ -86,6 +86,7 @@ module row_source #(
       .pixel_first_o(pixel_first),
       .pixel_step_o(pixel_step),
       .pixel_commit_o(pixel_commit),
+      .pixel_begins_o(pixel_begins),
       .ring_ready_i(ring_ready),
       .line_valid_o(line_valid),
       .line_ready_i(line_ready),
@@ -133,11 +134,11 @@ module row_source #(
       .in_row_o
   );
 
-  // The ring reads a clock later; where a line is committed in between, its restart would be wrong.
+  // The ring reads a clock later; where another frame begins in between, its restart would be wrong.
   logic read_q, restart_q;
   always_ff @(posedge clk_i) begin
     read_q    <= rst_ni && read;
-    restart_q <= rst_ni && restart && !pixel_commit;
+    restart_q <= rst_ni && restart && !(pixel_commit && pixel_begins);
   end
   pixel_ring #(
       .MaxWidthPx (MaxWidthPx),
@@ -150,6 +151,7 @@ module row_source #(
       .first_i(pixel_first),
       .step_i(pixel_step),
       .commit_i(pixel_commit),
+      .begins_i(pixel_begins),
       .ready_o(ring_ready),
       .read_i(read_q),
       .restart_i(restart_q),

@@ -3,7 +3,7 @@
 // Short FIFO in registers: first in, first out, oldest entry always at the bottom.
 //
 //   s_*, m_*  stream in and out (AXI4-Stream handshake)
-//   room_o    for two more entries;  single_o: at most one is there
+//   room_o    for two more entries;  behind_o: or of all entries behind the oldest
 //
 // Entries move down wherever the bottom is empty, so that one which an upset makes up or takes away
 // blocks nothing.
@@ -22,7 +22,7 @@ module shift_fifo #(
     input  logic             m_tready_i,
     output logic [Width-1:0] m_tdata_o,
     output logic             room_o,
-    output logic             single_o
+    output logic [Width-1:0] behind_o
 );
   if (Width < 1 || Depth < 2 || Depth > 16) begin : gen_illegal
     illegal_Width_must_be_at_least_1_and_Depth_2_to_16 stop ();
@@ -35,12 +35,18 @@ module shift_fifo #(
   assign s_tready_o = !used_q[Depth-1];
   assign m_tvalid_o = used_q[0];
   assign room_o = !used_q[Depth-2];
-  assign single_o = !used_q[1];
   assign m_tdata_o = entries_q[Width-1:0];
   assign push = s_tvalid_i && s_tready_o;
   assign pop = !m_tvalid_o || m_tready_i;
   assign used_after_pop = pop ? used_q >> 1 : used_q;
   assign entries_after_pop = pop ? entries_q >> Width : entries_q;
+
+  always_comb begin
+    behind_o = '0;
+    for (int i = 1; i < Depth; i++) begin
+      if (used_q[i]) behind_o = behind_o | entries_q[i*Width+:Width];
+    end
+  end
 
   always_ff @(posedge clk_i) begin
     for (int i = 0; i < Depth; i++) begin

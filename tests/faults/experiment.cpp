@@ -22,8 +22,8 @@ constexpr int kFreshFrames = 4;  // sent after registers have been written again
 constexpr int kFlushTimeout = 64;
 // Longer than the flush timeout, a drain of nine rows and the longest stalls together.
 constexpr std::uint64_t kPatience = 1200;
-// Where the input stands still because the upset hit a width: a drain of eleven rows of the longest that
-// a column counter makes, 2048.
+// Where the input stands still because the upset hit a width: a drain of eleven rows of the longest
+// that a column counter makes, 2048.
 constexpr std::uint64_t kWidestDrain = 12 * 2048;
 
 ViewOutput expected_output(const sim::GreyImage& image, int view) {
@@ -131,6 +131,15 @@ Consequence after_repair(StreamBench& bench, const Scene& scene) {
   return Consequence::kRegisters;
 }
 
+std::string sizes(const std::vector<sim::SourceFrame>& frames) {
+  std::string text;
+  for (const sim::SourceFrame& frame : frames) {
+    text += (text.empty() ? "" : ", ") + std::to_string(frame.image.width) + " x " +
+            std::to_string(frame.image.height);
+  }
+  return text;
+}
+
 Consequence judge_view(const ViewOutput& got, const std::vector<ViewOutput>& expected,
                        int current) {
   const Matching matching = match_both(got, expected);
@@ -198,10 +207,18 @@ Window dry_run(const Scene& scene) {
   return window;
 }
 
+std::size_t flip_flop_called(const std::string& name) {
+  StreamBench bench(0);
+  const FlipFlops flip_flops(bench.device());
+  const std::size_t index = flip_flops.find(name);
+  if (index == flip_flops.count()) throw std::runtime_error("no flip-flop is called " + name);
+  return index;
+}
+
 Upset run_upset(const Scene& scene, std::uint64_t clock, std::size_t flip_flop) {
   StreamBench bench(scene.seed);
   FlipFlops flip_flops(bench.device());
-  Upset upset{scene.seed, clock, flip_flop, flip_flops.name(flip_flop), {}};
+  Upset upset{scene.seed, clock, flip_flop, flip_flops.name(flip_flop), {}, {}};
   write_registers(bench, scene);
   send_all(bench, scene, 0);
   std::array<int, sim::kViews> current{};
@@ -219,7 +236,8 @@ Upset run_upset(const Scene& scene, std::uint64_t clock, std::size_t flip_flop) 
     upset.details += "view " + std::to_string(view) + ": in frame " + std::to_string(current[v]) +
                      ", right: first " + std::to_string(matching.leading) + ", last " +
                      std::to_string(matching.trailing) + " of " + std::to_string(kFrames) + ", " +
-                     std::to_string(bench.starts(view)) + " taken\n";
+                     std::to_string(bench.starts(view)) +
+                     " taken; px: " + sizes(scene.views[v].frames) + "\n";
     upset.consequence = std::max(
         upset.consequence, judge_view(bench.output(view), scene.views[v].expected, current[v]));
   }

@@ -54,6 +54,10 @@ struct Window {
 };
 Window dry_run(const Scene& scene);
 
+/// The flip-flop of this name, as Upset tells it: numbers shift when the RTL changes.
+/// Throws std::runtime_error when there is none.
+std::size_t flip_flop_called(const std::string& name);
+
 /// Sends the scene with one flip-flop flipped in front of one clock, and judges what comes out.
 Upset run_upset(const Scene& scene, std::uint64_t clock, std::size_t flip_flop);
 

@@ -41,6 +41,13 @@ class FlipFlops {
     return variables_[v].name + "[" + std::to_string(index - first(v)) + "]";
   }
 
+  /// The index of the one that name() calls `wanted`; count() when there is none.
+  std::size_t find(const std::string& wanted) const {
+    std::size_t index = 0;
+    while (index < bits_ && name(index) != wanted) ++index;
+    return index;
+  }
+
   /// Bits of a register bank that nobody can write stay 0 and vanish in synthesis.
   bool exists(std::size_t index) const {
     const std::size_t v = which(index);

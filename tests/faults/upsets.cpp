@@ -26,7 +26,7 @@ struct Arguments {
   std::string json;
   // One upset to repeat.
   std::uint64_t scene = 0, clock = 0;
-  std::size_t flip_flop = 0;
+  std::string flip_flop;
 };
 
 nlohmann::json to_json(const faults::Upset& upset) {
@@ -76,13 +76,14 @@ int main(int argc, char** argv) {
   program.add_option("--json", arguments.json, "Write every upset")->type_name("FILE");
   program.add_option("--scene", arguments.scene, "Repeat one upset: its scene");
   program.add_option("--clock", arguments.clock, "Its clock");
-  program.add_option("--flip-flop", arguments.flip_flop, "Its flip-flop");
+  program.add_option("--flip-flop", arguments.flip_flop, "Its flip-flop's name");
   CLI11_PARSE(program, argc, argv);
   try {
     if (arguments.scene == 0) return run(arguments);
     const faults::Scene scene = faults::make_scene(arguments.scene);
     faults::dry_run(scene);
-    const faults::Upset upset = faults::run_upset(scene, arguments.clock, arguments.flip_flop);
+    const faults::Upset upset =
+        faults::run_upset(scene, arguments.clock, faults::flip_flop_called(arguments.flip_flop));
     std::printf("%s\n%s", to_json(upset).dump().c_str(), upset.details.c_str());
     return 0;
   } catch (const std::exception& error) {

@@ -91,7 +91,7 @@ module frame_guard_properties #(
   end
 
   // Lines announced and not yet read: from read_q to base_q. The ring's reader is a counter here.
-  logic pixel_valid, pixel_first, pixel_step, pixel_commit, ring_ready;
+  logic pixel_valid, pixel_first, pixel_step, pixel_commit, pixel_begins, ring_ready;
   logic line_valid, line_whole, line_first, line_last, switch_wanted, load_settings, idle;
   logic [RingBits:0] base_q, read_q, waiting;
   logic [7:0] pixel, events;
@@ -122,6 +122,7 @@ module frame_guard_properties #(
       .pixel_first_o(pixel_first),
       .pixel_step_o(pixel_step),
       .pixel_commit_o(pixel_commit),
+      .pixel_begins_o(pixel_begins),
       .ring_ready_i(ring_ready),
       .line_valid_o(line_valid),
       .line_ready_i(line_ready),
@@ -150,6 +151,7 @@ module frame_guard_properties #(
       .first_i(pixel_first),
       .step_i(pixel_step),
       .commit_i(pixel_commit),
+      .begins_i(pixel_begins),
       .ready_o(ring_ready),
       .read_i(read_step && waiting != '0),
       .restart_i(1'b0),
@@ -158,7 +160,7 @@ module frame_guard_properties #(
   );
   (* hierconn *) wire [RingBits:0] \ring.write_q ;
   (* hierconn *) wire [RingBits:0] \ring.commit_q ;
-  (* hierconn *) wire [RingBits:0] \ring.line_q ;
+  (* hierconn *) wire [RingBits:0] \ring.frame_q ;
   (* hierconn *) wire [RingBits:0] \ring.read_q ;
   (* hierconn *) wire [RingBits:0] \ring.here ;
   (* hierconn *) wire \ring.nearly_full_q ;
@@ -174,7 +176,7 @@ module frame_guard_properties #(
   logic [5:0] before_last_q;
   logic [2:0] height1_q;
   logic [2:0] rows_q, stall_q, frame_last_col_q, rows;
-  logic [RingBits:0] last_start_q, waiting_q;
+  logic [RingBits:0] frame_start_q, waiting_q;
   assign rows = (line_first ? 3'd0 : rows_q) + 3'(line_whole);
   always_ff @(posedge clk_i) begin
     assume (watched_col <= 3'd5);
@@ -191,13 +193,13 @@ module frame_guard_properties #(
     watched_q <= watched;
     if (pixel_commit) line_watched_q <= watched;
     if (!rst_ni) begin
-      {base_q, read_q, stall_q, last_start_q} <= '0;
+      {base_q, read_q, stall_q, frame_start_q} <= '0;
       open_q <= 1'b0;
     end else begin
       if (read_step && waiting != '0) read_q <= read_q + 6'd1;
       if (line_valid && line_whole) begin
         base_q <= base_q + 6'(last_col) + 6'd1;
-        last_start_q <= base_q;
+        if (line_first) frame_start_q <= base_q;
       end
       if (line_valid) open_q <= !line_last;
       stall_q <= tvalid && !tready && line_ready && drained && width_free && waiting == '0 ? stall_q + 3'd1
@@ -210,10 +212,10 @@ module frame_guard_properties #(
     end
 
     if (started_q && rst_ni) begin
-      // Ring: what waits is not overwritten, and where the line announced last begins is known.
+      // Ring: what waits is not overwritten, and where the frame announced last begins is known.
       if (Shape) assert (!pixel_valid || waiting + (\ring.here - base_q) < 6'd32);
-      if (Shape) assert (\ring.line_q == last_start_q || switch_wanted || line_valid || width_free);
-      if (Shape) assert (!line_valid || !line_whole || \ring.line_q == base_q);
+      if (Shape) assert (\ring.frame_q == frame_start_q || switch_wanted || (line_valid && line_first) || width_free);
+      if (Shape) assert (!line_valid || !line_first || \ring.frame_q == base_q);
       if (Shape) assert (stall_q < 3'd6);
       // A width takes the place of one that is free; settings change only when nothing is in flight,
       // before a first pixel.
@@ -306,7 +308,7 @@ module frame_guard_properties #(
       assert (!due_q || !active || (\dut.late_q && begun && !in_line && !\dut.i_checks.height_known_o ));
       assert (was_reset_q || line_tag != line_tag_q || \dut.i_checks.limit_q == last_col - 3'd1);
       assert (\ring.read_q == read_q && \dut.i_checks.height_q == 12'(height_q));
-      assert (\ring.line_q == (announced && line_whole ? base_q : last_start_q));
+      assert (\ring.frame_q == (announced && line_first ? base_q : frame_start_q));
       if (announced && line_whole && watched_col < width_next) begin
         assert (line_watched_q[6:0] == {watched_col == width_next - 3'd1, rows - 3'd1, watched_col});
       end

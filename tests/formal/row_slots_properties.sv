@@ -63,7 +63,7 @@ module row_slots_properties (
 
   // frame_guard's part. Faults are marks: the frame's number. A width changes when it is free, between
   // frames; the next line has it. frame_guard waits only behind a frame.
-  logic [RingBits:0] announced_q, line_q, read_q;
+  logic [RingBits:0] announced_q, frame_q, read_q;
   logic unread_q, line_ready_q, fresh_q;
   wire [2:0] width = tag_q ? width_q[5:3] : width_q[2:0];
   always_ff @(posedge clk_i) begin
@@ -75,14 +75,14 @@ module row_slots_properties (
     assume (!line_valid || width >= 3'd5);
     assume (!flip || (rst_ni && free && !line_valid && !open_q && !fresh_q));
     if (!rst_ni) begin
-      {open_q, fault_in_q, announced_q, line_q, read_q, tag_q, fresh_q} <= '0;
+      {open_q, fault_in_q, announced_q, frame_q, read_q, tag_q, fresh_q} <= '0;
       width_q <= {2{3'd2}};  // before_last_i is 0 after a reset
     end else begin
       if (line_valid) begin
         open_q <= !line_last;
         fault_in_q <= fault_in_q + 2'(line_last);
         announced_q <= announced_q + (line_whole ? 6'(width) : 6'd0);
-        if (line_whole) line_q <= announced_q;
+        if (!open_q) frame_q <= announced_q;
       end
       if (flip) begin
         tag_q <= !tag_q;
@@ -91,7 +91,7 @@ module row_slots_properties (
       end
       fresh_q <= flip || (fresh_q && !(line_valid && line_whole));
       // pixel_ring's part.
-      read_q <= restart ? line_q : read_q + 6'(read);
+      read_q <= restart ? frame_q : read_q + 6'(read);
     end
     unread_q <= rst_ni && announced_q != read_q;
     line_ready_q <= rst_ni && line_ready;
@@ -150,7 +150,7 @@ module row_slots_properties (
       assert (!end_here || fault == fault_out_q);
       assert (!drained || (!open_q && beats_q[6:0] >= 7'd96 && beats_q[13:7] >= 7'd96));
       assert (!free || fresh_q || (other_beats >= 7'd96 && may_change[!tag_q]));
-      assert (!restart || (line_q == read_q + 6'(read) && !free));
+      assert (!restart || (frame_q == read_q + 6'(read) && !free));
       assert (unread || !unread_q);
       assert (waits_q != 2'd3 || valid);
       // A row's columns are those of its width.
@@ -174,7 +174,8 @@ module row_slots_properties (
   (* hierconn *) wire [7:0] \out.age_q ;
   // An announcement: {tag, whole, first, last, fault}.
   logic [RingBits:0] pixels;
-  logic row_begins, row_real, newest_last, newest_tag, any_whole, row_ends, end_waits;
+  logic row_begins, row_real, newest_last, newest_tag, any_first, row_ends, end_waits;
+  logic [RingBits:0] since_first;
   logic [1:0] ends_popped, fault_out, next_fault, done;
   logic faults_ok, tags_ok;
   logic [7:0] begun;  // ages with the slot begun
@@ -183,14 +184,17 @@ module row_slots_properties (
     pixels = '0;
     newest_last = \dut.ended_q ;
     newest_tag = \dut.second_width_q ;
-    any_whole = 1'b0;
+    any_first = 1'b0;
+    since_first = '0;
     tags_ok = 1'b1;
     ends_popped = fault_in_q;
     for (int i = 0; i < 4; i++) begin
       if (\dut.i_lines.used_q [i]) begin
         if (\dut.i_lines.entries_q [6*i+4]) begin
           pixels = pixels + 6'(\dut.i_lines.entries_q [6*i+5] ? width_q[5:3] : width_q[2:0]);
-          any_whole = 1'b1;
+          if (\dut.i_lines.entries_q [6*i+3]) since_first = '0;
+          since_first = since_first + 6'(\dut.i_lines.entries_q [6*i+5] ? width_q[5:3] : width_q[2:0]);
+          any_first = any_first || \dut.i_lines.entries_q [6*i+3];
           tags_ok = tags_ok && (\dut.i_lines.entries_q [6*i+5] == newest_tag ||
                                 \dut.i_lines.entries_q [6*i+3]);
           newest_tag = \dut.i_lines.entries_q [6*i+5];
@@ -305,8 +309,8 @@ module row_slots_properties (
         end
         if (i > 0) assert (!\dut.i_lines.used_q [i] || \dut.i_lines.used_q [i-1]);
       end
-      // The ring: read stands where the lines that wait begin, line_q where the last one does.
-      assert (!any_whole || announced_q - line_q == 6'(newest_tag ? width_q[5:3] : width_q[2:0]));
+      // The ring: read stands where the lines that wait begin, frame_q where the last frame among them does.
+      assert (!any_first || announced_q - frame_q == since_first);
       assert (announced_q - read_q == pixels +
               (\dut.busy_q && \dut.real_q && \dut.col_q < own_width ? 6'(own_width - \dut.col_q ) : 6'd0));
     end
