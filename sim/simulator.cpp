@@ -83,7 +83,10 @@ Report Simulator::run(const RunOptions& options, const FrameSource& source, cons
     }
   } catch (...) {
     bench.cancel();
-    while (bench.advance()) bench.serve([](int) { return std::nullopt; });
+    const FrameSource nothing = [](int) { return std::nullopt; };
+    // First the views whose request the failure left open: nothing would ever answer them.
+    bench.serve(nothing);
+    while (bench.advance()) bench.serve(nothing);
     bench.take_frames();
     throw;
   }
