@@ -15,9 +15,14 @@
 namespace trihedron {
 namespace {
 
-/// Whether a PNG lacks its end: the decoder would fill the rest with black and say nothing.
-bool is_cut_png(const std::string& bytes) {
-  return bytes.compare(1, 3, "PNG") == 0 && bytes.find("IEND", bytes.size() - 12) == bytes.npos;
+/// Whether a PNG or JPEG lacks its end: the decoder would fill the rest with black or grey and say
+/// nothing. In a JPEG's data behind the last start of scan (FF DA) a byte FF is never followed by D9,
+/// its end, before the end.
+bool is_cut(const std::string& bytes) {
+  if (bytes.compare(1, 3, "PNG") == 0) return bytes.find("IEND", bytes.size() - 12) == bytes.npos;
+  const std::size_t scan = bytes.rfind("\xFF\xDA");
+  return bytes.compare(0, 2, "\xFF\xD8") == 0 &&
+         (scan == bytes.npos || bytes.find("\xFF\xD9", scan) == bytes.npos);
 }
 
 }  // namespace
@@ -26,7 +31,7 @@ cv::Mat read_grey(const std::filesystem::path& file) {
   const std::string bytes = read_whole(file, "an image");
   const char* const expected = "; expected a whole PNG, JPEG, TIFF, BMP or PGM image";
   if (bytes.size() < 16) throw Error(file.string() + ": not an image" + expected);
-  if (is_cut_png(bytes)) throw Error(file.string() + ": the image is cut off" + expected);
+  if (is_cut(bytes)) throw Error(file.string() + ": the image is cut off" + expected);
   cv::Mat grey;
   try {
     const QuietDecoders quiet;

@@ -133,6 +133,13 @@ TEST_CASE("broken images are named") {
   std::filesystem::resize_file(scene.folder / "gray/000002.png",
                                std::filesystem::file_size(whole) / 2);
   CHECK_THAT(scene.message(), Contains("gray/000002.png: the image is cut off"));
+  for (const double part : {0.98, 0.3}) {  // the decoder takes what is there
+    std::vector<std::uint8_t> jpeg;
+    cv::imencode(".jpg", cv::imread(whole, cv::IMREAD_GRAYSCALE), jpeg);
+    const auto bytes = static_cast<std::size_t>(part * static_cast<double>(jpeg.size()));
+    scene.scratch.write("000034/gray/000002.png", {jpeg.begin(), jpeg.begin() + bytes});
+    CHECK_THAT(scene.message(), Contains("gray/000002.png: the image is cut off"));
+  }
   scene.image("000002", 4, 300);
   CHECK_THAT(scene.message(), Contains("000002.png: the image is 4 x 300 px; expected sides of 5"));
 }
