@@ -16,9 +16,9 @@
 // Latency 3 clocks, throughput 1 pixel per clock. The pipeline behind ready_o may still deliver
 // Reserve pixels after ready_o has fallen.
 module contour_packer #(
-    parameter int FractionBits = 3,
+    parameter int FractionBits = 3,   // of the gradient, 0 .. 6
     parameter int Depth        = 64,  // pixels that wait for the consumer, a power of two
-    parameter int Reserve      = 32
+    parameter int Reserve      = 32   // pixels that may come after ready_o has fallen
 ) (
     input  logic                       clk_i,
     input  logic                       rst_ni,

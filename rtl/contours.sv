@@ -14,8 +14,8 @@
 //
 // Latency 8 rows + 8 columns + 27 clocks to the slot out, 1 beat per clock. Border: no contour, gradient 0.
 module contours #(
-    parameter int MaxWidthPx   = 1920,
-    parameter int FractionBits = 3
+    parameter int MaxWidthPx   = 1920,  // longest line, 5 .. 4080 px
+    parameter int FractionBits = 3      // of the gradient, 0 .. 6
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

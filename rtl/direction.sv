@@ -13,7 +13,7 @@
 //
 // Latency 6 clocks, 1 pixel per clock.
 module direction #(
-    parameter int FractionBits = 3
+    parameter int FractionBits = 3  // of the gradient, 0 .. 6
 ) (
     input  logic                       clk_i,
     input  logic                       rst_ni,

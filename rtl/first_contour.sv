@@ -16,8 +16,8 @@
 //
 // Latency 2 rows + 2 columns + 8 clocks (data_o 9), 1 beat per clock. Border: not first contour.
 module first_contour #(
-    parameter int MaxWidthPx    = 1920,
-    parameter int MagnitudeBits = 9
+    parameter int MaxWidthPx    = 1920,  // longest line, 5 .. 4080 px
+    parameter int MagnitudeBits = 9      // 6 .. 12
 ) (
     input  logic                     clk_i,
     input  logic                     rst_ni,

@@ -27,8 +27,8 @@
 //
 // Latency 1 line + 1 clock; throughput 1 pixel per clock, also with 5 px lines.
 module frame_guard #(
-    parameter int MaxWidthPx  = 1920,
-    parameter int MaxHeightPx = 1200
+    parameter int MaxWidthPx  = 1920,  // longest line, 5 .. 4080 px
+    parameter int MaxHeightPx = 1200   // most lines, 5 .. 4095
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -15,7 +15,7 @@
 //
 // 1 beat per clock; the centre is two columns behind.
 module gradient_kernel #(
-    parameter int FractionBits = 3
+    parameter int FractionBits = 3  // of the gradient, 0 .. 6
 ) (
     input  logic                           clk_i,
     input  logic                           valid_i,

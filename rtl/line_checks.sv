@@ -20,8 +20,8 @@
 // Facts of a column hold from the clock after the pixel before, those of a line three clocks after the
 // line before: lines have 5 columns.
 module line_checks #(
-    parameter int MaxWidthPx  = 1920,
-    parameter int MaxHeightPx = 1200
+    parameter int MaxWidthPx  = 1920,  // longest line, 5 .. 4080 px
+    parameter int MaxHeightPx = 1200   // most lines, 5 .. 4095
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -16,7 +16,7 @@
 //
 // 1 window per clock.
 module neighbour_mean #(
-    parameter int MagnitudeBits = 9
+    parameter int MagnitudeBits = 9  // 6 .. 12
 ) (
     input  logic                        clk_i,
     input  logic [                 4:0] mean_limit_i,

@@ -16,7 +16,7 @@
 // Latency 1 clock, 1 pixel per clock on both sides. The room ends 8 pixels early, since it is known two
 // clocks late.
 module pixel_ring #(
-    parameter int MaxWidthPx  = 1920,
+    parameter int MaxWidthPx  = 1920,  // longest line, 5 .. 4080 px
     parameter int AddressBits = 11     // 2^AddressBits pixels, at least MaxWidthPx + 16
 ) (
     input  logic       clk_i,

@@ -9,10 +9,10 @@
 //
 // A write takes effect in the next clock; an event wins over a write that clears it.
 module register_bank #(
-    parameter int Words = 4,  // 2, 4, 8, 16 ..
-    parameter logic [32*Words-1:0] Writable = '1,
-    parameter logic [32*Words-1:0] Sticky = '0,
-    parameter logic [32*Words-1:0] Reset = '0
+    parameter int Words = 4,                       // 2, 4, 8, 16 ..
+    parameter logic [32*Words-1:0] Writable = '1,  // bits that software writes
+    parameter logic [32*Words-1:0] Sticky = '0,    // bits that an event sets, a written 1 clears
+    parameter logic [32*Words-1:0] Reset = '0      // value after reset of writable bits
 ) (
     input  logic                     clk_i,
     input  logic                     rst_ni,

@@ -7,7 +7,7 @@
 //                          in time for column 2
 //   within_o               in the same clock: col_i < width
 module row_limit #(
-    parameter int ColBits = 11
+    parameter int ColBits = 11  // of a column, 3 .. 12
 ) (
     input  logic                 clk_i,
     input  logic                 valid_i,

@@ -16,8 +16,8 @@
 //
 // Latency 1 line + 5 clocks to data_o; 1 pixel per clock.
 module row_source #(
-    parameter int MaxWidthPx   = 1920,
-    parameter int MaxHeightPx  = 1200,
+    parameter int MaxWidthPx   = 1920,  // longest line, 5 .. 4080 px
+    parameter int MaxHeightPx  = 1200,  // most lines, 5 .. 4095
     parameter int SettingsBits = 58     // 1 ..
 ) (
     input  logic                            clk_i,

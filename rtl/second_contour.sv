@@ -13,7 +13,7 @@
 //
 // Latency 2 rows + 2 columns + 6 clocks, 1 beat per clock. Border: no contour.
 module second_contour #(
-    parameter int MaxWidthPx = 1920
+    parameter int MaxWidthPx = 1920  // longest line, 5 .. 4080 px
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -12,8 +12,8 @@
 //
 // Latency 2 columns + 8 clocks behind the slot, 1 beat per clock. Border: all 0.
 module slope #(
-    parameter int MaxWidthPx   = 1920,
-    parameter int FractionBits = 3
+    parameter int MaxWidthPx   = 1920,  // longest line, 5 .. 4080 px
+    parameter int FractionBits = 3      // of the gradient, 0 .. 6
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -7,7 +7,7 @@
 // Latency 1 clock, throughput 1 record per clock. A waiting input is served after at most
 // Inputs - 1 others; the records of one input keep their order.
 module stream_merge #(
-    parameter int Inputs = 3,
+    parameter int Inputs = 3,  // 1 .. 16
     parameter int Width  = 65  // payload (tdata and tlast), bits
 ) (
     input  logic                    clk_i,

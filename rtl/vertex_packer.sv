@@ -19,9 +19,9 @@
 // columns, and an end that comes closer behind a vertex waits. The frame tag counts frames modulo
 // 256.
 module vertex_packer #(
-    parameter int View         = 0,
-    parameter int PatternBits  = 8,
-    parameter int StrengthBits = 8,
+    parameter int View         = 0,    // tag in its records, 0 .. 15
+    parameter int PatternBits  = 8,    // 1 .. 8
+    parameter int StrengthBits = 8,    // 1 .. 12
     parameter int Depth        = 128,  // words that wait for the consumer, a power of two
     parameter int Reserve      = 32    // records that may come after ready_o has fallen
 ) (

@@ -11,7 +11,7 @@
 // Latency 3 rows + 4 columns + 8 clocks, 1 beat per clock. Border: values are 0 where the window of
 // vertex_value leaves the frame, so scores fall off towards the border and no vertex lies there.
 module vertex_peak #(
-    parameter int MaxWidthPx = 1920
+    parameter int MaxWidthPx = 1920  // longest line, 5 .. 4080 px
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -19,7 +19,7 @@
 // With Touching a ring pixel counts only where an inner branch pixel touches it. 1 beat per clock;
 // the centre is two columns behind.
 module vertex_ring #(
-    parameter bit Touching = 1'b1
+    parameter bit Touching = 1'b1  // 1: only pixels that touch an inner branch pixel
 ) (
     input  logic        clk_i,
     input  logic        valid_i,

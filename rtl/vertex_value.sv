@@ -19,7 +19,7 @@
 //
 // Latency 2 rows + 2 columns + 9 clocks, 1 beat per clock. Border: value 0.
 module vertex_value #(
-    parameter int MaxWidthPx = 1920
+    parameter int MaxWidthPx = 1920  // longest line, 5 .. 4080 px
 ) (
     input  logic       clk_i,
     input  logic       rst_ni,

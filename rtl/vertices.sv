@@ -12,8 +12,8 @@
 // Latency 5 rows + 6 columns + 17 clocks, 1 beat per clock. A pixel whose 5x5 window leaves the
 // image is no vertex.
 module vertices #(
-    parameter int MaxWidthPx   = 1920,
-    parameter int FractionBits = 3
+    parameter int MaxWidthPx   = 1920,  // longest line, 5 .. 4080 px
+    parameter int FractionBits = 3      // of the gradient, 0 .. 6
 ) (
     input  logic                            clk_i,
     input  logic                            rst_ni,

@@ -19,10 +19,10 @@
 // Latency to the contour stream: 1 + 8 rows and 43 clocks; throughput 1 pixel per clock. Border and bad
 // streams: see line_window, frame_guard.
 module view_pipeline #(
-    parameter int View         = 0,
-    parameter int MaxWidthPx   = 1920,
-    parameter int MaxHeightPx  = 1200,
-    parameter int FractionBits = 3
+    parameter int View         = 0,     // tag in its records, 0 .. 15
+    parameter int MaxWidthPx   = 1920,  // longest line, 5 .. 4080 px
+    parameter int MaxHeightPx  = 1200,  // most lines, 5 .. 4095
+    parameter int FractionBits = 3      // of the gradient, 0 .. 6
 ) (
     input  logic                    clk_i,
     input  logic                    rst_ni,

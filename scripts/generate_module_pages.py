@@ -36,13 +36,17 @@ def parameters(text, module):
     rows = []
     for name, default, note in re.findall(
             r"parameter [^=]*?(\w+) *= *([^,/\n]+?),? *(?://(.*))?\n", body + "\n"):
+        if not note:
+            raise SystemExit(f"rtl/{module}.sv: parameter {name} has no comment; right is its meaning and range")
         rows.append(cells(f"`{name}`", f"`{default.strip()}`", note))
     legal = re.findall(r"\billegal_(\w+) stop", text)
     if not rows:
         return ["None."]
-    out = ["| parameter | default | |", "|---|---|---|"] + rows
+    out = ["| parameter | default | meaning, legal range |", "|---|---|---|"] + rows
     if legal:
         out += ["", "The build stops with this message where one is not legal: `illegal_" + legal[0] + "`."]
+    elif any("parameter int" in line for line in body.splitlines()):
+        out += ["", "An illegal value stops the build in a module inside."]
     return out
 
 
