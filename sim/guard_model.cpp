@@ -57,7 +57,9 @@ void GuardModel::start(std::vector<ExpectedFrame>& done) {
   }
   const Settings& settings = settings_.at(std::min(changes_, settings_.size() - 1));
   frame_height_ = settings.frame_height;
-  start_counted_ = errors_ != errors_before;
+  // A start that waits for settings ends the frame before when it comes, not when it is taken.
+  const bool waited = std::exchange(thresholds_, settings.thresholds) != settings.thresholds;
+  start_counted_ = errors_ != errors_before && !waited;
   active_ = settings.enabled;
   quiet_ = true;
   begun_ = false;

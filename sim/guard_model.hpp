@@ -45,6 +45,7 @@ struct ExpectedFrame {
 struct GuardSettings {
   int frame_height = 0;  ///< lines that end a frame; if 0, idle clocks do
   bool enabled = true;
+  int thresholds = 0;  ///< another number, other thresholds or VERTEX_LIMIT: the next start waits
 };
 
 /// Which frames come out of any stream of pixels: the rules of rtl/frame_guard.sv without its
@@ -70,7 +71,8 @@ class GuardModel {
   std::size_t settled_starts() const { return active_ ? starts_ - 1 : starts_; }
   /// One bit per kind of event that happened.
   std::uint32_t event_kinds() const { return event_kinds_; }
-  /// Pixels that brought an event; one that brought two counts once.
+  /// Pixels that brought an event; one that brought two counts once, or twice where it waited
+  /// between them for new settings.
   std::uint32_t errors() const { return errors_; }
 
  private:
@@ -96,7 +98,8 @@ class GuardModel {
   ExpectedFrame frame_;
   std::size_t starts_ = 0;
   std::size_t changes_ = 0;
-  bool start_counted_ = false;  ///< the last start of frame brought an event
+  bool start_counted_ = false;  ///< the last start of frame brought an event when it was taken
+  int thresholds_ = 0;          ///< in force
   std::uint32_t event_kinds_ = 0;
   std::uint32_t errors_ = 0;
 };

@@ -36,7 +36,7 @@ Size random_size(Random& random) {
 }
 
 StallProfile random_stalls(Random& random) {
-  switch (random.between(0, 6)) {
+  switch (random.between(0, 5)) {
     case 0:
       return {0.1, 1};
     case 1:

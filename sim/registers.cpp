@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sim/registers.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "golden/registers.hpp"
@@ -34,6 +35,22 @@ std::vector<RegisterValue> change_settings(const SettingsChange& change) {
       {"CONTROL", registers::kControl,
        registers::kControlEnable.put(change.enabled) | registers::kControlHold.put(change.held)});
   return settings;
+}
+
+std::vector<int> first_alike(const std::vector<SettingsChange>& settings) {
+  const auto alike = [](const SettingsChange& a, const SettingsChange& b) {
+    const auto left = threshold_settings(a.thresholds, a.vertex_limit);
+    const auto right = threshold_settings(b.thresholds, b.vertex_limit);
+    return std::equal(left.begin(), left.end(), right.begin(),
+                      [](const auto& x, const auto& y) { return x.value == y.value; });
+  };
+  std::vector<int> numbers;
+  for (const SettingsChange& one : settings) {
+    const auto first = std::find_if(settings.begin(), settings.end(),
+                                    [&](const SettingsChange& other) { return alike(other, one); });
+    numbers.push_back(static_cast<int>(first - settings.begin()));
+  }
+  return numbers;
 }
 
 std::vector<RegisterValue> run_settings(const RunOptions& options) {

@@ -19,6 +19,9 @@ struct RegisterValue {
 /// What puts `change` in force.
 std::vector<RegisterValue> change_settings(const SettingsChange& change);
 
+/// Of each of the settings the first one with the same thresholds and VERTEX_LIMIT.
+std::vector<int> first_alike(const std::vector<SettingsChange>& settings);
+
 /// What a run writes before the first pixel.
 std::vector<RegisterValue> run_settings(const RunOptions& options);
 

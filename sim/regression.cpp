@@ -13,17 +13,22 @@
 namespace trihedron::sim {
 namespace {
 
-// Few, or so many that the frame tag, 8 bits, wraps around.
+// Few, or so many that the frame tag, 8 bits, wraps around: one seed in 200, so that a run of as
+// many has one of them.
 constexpr int kFewFrames = 5;
-int frames_per_view(Random& random) {
-  return random.between(1, 300) == 1 ? random.between(257, 280) : random.between(1, kFewFrames);
+bool has_many_frames(std::uint64_t seed) { return seed % 200 == 100; }
+int frames_per_view(std::uint64_t seed, Random& random) {
+  return has_many_frames(seed) ? random.between(257, 280) : random.between(1, kFewFrames);
 }
 
 /// Draws one case, part by part; the order of the parts is what a seed means.
 class CaseWriter {
  public:
   CaseWriter(std::uint64_t seed, const std::vector<GreyImage>& pictures)
-      : random_(seed), pictures_(pictures), frames_(frames_per_view(random_)) {
+      : random_(seed),
+        pictures_(pictures),
+        frames_(frames_per_view(seed, random_)),
+        many_(frames_ > kFewFrames) {
     result_.options.seed = seed;
     result_.options.check = true;
   }
@@ -44,34 +49,38 @@ class CaseWriter {
  private:
   void draw_options() {
     RunOptions& options = result_.options;
+    faults_ = many_ || random_.chance(0.35);
     options.thresholds = random_thresholds(random_);
     options.vertex_limit = random_vertex_limit(random_);
     options.pixel_idles = random_stalls(random_);
     options.contour_stalls = random_stalls(random_);
+    // Each kind of stall meets each kind of broken frame.
+    if (faults_ && options.contour_stalls.probability == 0.0 && random_.chance(0.5)) {
+      options.contour_stalls = random_stalls(random_);
+    }
     options.vertex_stalls = random_stalls(random_);
     options.register_stalls = random_stalls(random_);
     options.flush_timeout = random_flush_timeout(options.pixel_idles, random_);
     if (random_.chance(0.15)) options.prelude_clocks = random_.between(1, 3000);
     options.exercise_registers = random_.chance(0.2);
     options.poll_registers = random_.chance(0.3);
-    same_size_ = random_.chance(0.5);
+    same_size_ = many_ || random_.chance(faults_ ? 0.7 : 0.5);
     common_ = draw_size();
-    if (same_size_ && random_.chance(0.5)) options.frame_height = known_height();
-    faults_ = random_.chance(0.3);
+    if (same_size_ && random_.chance(faults_ ? 0.7 : 0.5)) options.frame_height = known_height();
   }
 
-  // Mostly right; lower: lines are left over; higher: each next frame starts too early.
+  // Lower: lines are left over; higher: each next frame starts too early. Both meet broken frames.
   int known_height() {
-    if (random_.chance(0.6)) return common_.height;
+    if (random_.chance(faults_ ? 0.3 : 0.6)) return common_.height;
     return std::clamp(common_.height + random_.between(-3, 3), kMinSizePx, kMaxHeightPx);
   }
 
   void draw_changes() {
-    const bool wanted = random_.chance(0.4);
+    const bool wanted = many_ || random_.chance(0.4);
     int height = result_.options.frame_height;
     for (int index = 0; index < frames_; ++index) {
       heights_.push_back(height);
-      holds_.push_back(wanted && index + 1 < frames_ && random_.chance(0.6));
+      holds_.push_back(wanted && index + 1 < frames_ && random_.chance(many_ ? 0.3 : 0.6));
       if (!holds_.back()) continue;
       SettingsChange change;
       change.thresholds = random_thresholds(random_);
@@ -88,7 +97,7 @@ class CaseWriter {
   }
 
   Size draw_size() {
-    if (frames_ <= kFewFrames) return random_size(random_);
+    if (!many_) return random_size(random_);
     return {random_.between(kMinSizePx, 12), random_.between(kMinSizePx, 12)};
   }
 
@@ -103,13 +112,14 @@ class CaseWriter {
     frame.holds = holds_[at];
     if (random_.chance(0.2)) frame.gap_clocks = random_gap(size, result_.options, random_);
     // The last frame is good, so that the one before it ends; one that holds ends well.
-    if (faults_ && !last && !frame.holds && random_.chance(0.5)) add_fault(frame, random_);
+    if (faults_ && !last && !frame.holds && random_.chance(0.6)) add_fault(frame, random_);
     return frame;
   }
 
   Random random_;
   const std::vector<GreyImage>& pictures_;
   int frames_;
+  bool many_;  ///< with every kind of broken frame and change among them
   bool same_size_ = false, faults_ = false;
   Size common_;
   std::vector<int> heights_;  ///< FRAME_HEIGHT that each frame finds
@@ -121,7 +131,7 @@ class CaseWriter {
 
 int frames_in_case(std::uint64_t seed) {
   Random random(seed);
-  return kViews * frames_per_view(random);
+  return kViews * frames_per_view(seed, random);
 }
 
 RegressionCase make_case(std::uint64_t seed, const std::vector<GreyImage>& pictures) {

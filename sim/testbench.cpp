@@ -120,8 +120,11 @@ std::vector<SettingsChange> Testbench::settings_in_force() const {
 
 std::vector<GuardModel::Settings> Testbench::guard_settings(unsigned view) const {
   std::vector<GuardModel::Settings> all;
-  for (const SettingsChange& settings : settings_in_force()) {
-    all.push_back({settings.frame_height, ((settings.enabled >> view) & 1) != 0});
+  const std::vector<SettingsChange> in_force = settings_in_force();
+  const std::vector<int> thresholds = first_alike(in_force);
+  for (std::size_t i = 0; i < in_force.size(); ++i) {
+    const bool enabled = ((in_force[i].enabled >> view) & 1) != 0;
+    all.push_back({in_force[i].frame_height, enabled, thresholds[i]});
   }
   return all;
 }

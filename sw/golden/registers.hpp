@@ -110,7 +110,7 @@ constexpr Field kVerticesVertices{kVertices, 0, 32, 0x0};  ///< records
 constexpr std::uint32_t kLost = 0x10c;
 constexpr Field kLostVertices{kLost, 0, 32, 0x0};  ///< records
 
-/// Pixels and time-outs that set one or more of the sticky bits 0 .. 7, modulo 2^16.
+/// Pixels and time-outs that set one or more of the sticky bits 0 .. 7, modulo 2^16; a pixel that waits for new settings counts once for the frame that it ends and once for its own.
 constexpr std::uint32_t kErrors = 0x110;
 constexpr Field kErrorsEvents{kErrors, 0, 16, 0x0};  ///< pixels and time-outs
 

@@ -16,7 +16,8 @@ status=0
 slots="tests/formal/slot_stream.sv tests/formal/assumed_slots.sv"  # streams of row slots at an input
 stages="gradient first_contour ridge second_contour vertex_value"
 long="view contour_packer vertex_packer vertex_peak slot_tracker line_window line_window_side line_window_11"
-all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots frame_guard \
+all="skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit idle_timer drain_count \
+  row_slots frame_guard \
   frame_guard_good $stages $long"
 quick=
 [ "${1:-}" = --quick ] && { quick=1; all=${all%"$long"}; shift; }
@@ -53,6 +54,8 @@ describe() {
       parameters="chparam -set Good 0 frame_guard_properties;"
       if [ "$1" != frame_guard ]; then parameters="chparam -set Good 1 frame_guard_properties;"; fi
       ;;
+    idle_timer) engine=induction others= ;;
+    drain_count) engine=induction others= ;;
     row_slots)
       engine=induction
       others="rtl/shift_fifo.sv rtl/drain_count.sv tests/formal/slot_stream.sv"

@@ -11,8 +11,8 @@ constexpr int kResetClocks = 8;
 // Without a transfer for so long the device hangs: longer than every gap of a case, and than the
 // drain of its frames.
 constexpr std::uint64_t kHangClocks = 1 << 17;
-// What nobody asked for shows within so many clocks, or within twelve rows of the widest frame: a slot is
-// as long as the wider of two widths, and so many rows push the last frame out (row_slots).
+// What nobody asked for shows within so many clocks, or within twelve rows of the widest frame: a
+// slot is as long as the wider of two widths, and so many rows push the last frame out (row_slots).
 constexpr std::uint64_t kSilentClocks = 256 + 12 * static_cast<std::uint64_t>(sim::kMaxWidthPx);
 
 std::vector<sim::SettingsChange> settings_of(const StreamCase& stream_case) {
@@ -37,9 +37,12 @@ StreamPair::StreamPair(const StreamCase& stream_case)
     drivers_.emplace_back(case_.options.pixel_idles, case_.options.seed + view);
     monitors_.emplace_back(case_.options.contour_stalls, case_.options.seed + 5 + view);
     std::vector<sim::GuardModel::Settings> settings;
-    for (const Phase& phase : case_.phases)
-      settings.push_back(
-          {phase.settings.frame_height, ((phase.settings.enabled >> view) & 1) != 0});
+    const std::vector<int> thresholds = sim::first_alike(settings_of(case_));
+    for (std::size_t i = 0; i < case_.phases.size(); ++i) {
+      const sim::SettingsChange& change = case_.phases[i].settings;
+      const bool enabled = ((change.enabled >> view) & 1) != 0;
+      settings.push_back({change.frame_height, enabled, thresholds[i]});
+    }
     guards_.emplace_back(settings, case_.options.flush_timeout);
     const sim::Scoreboard::Setup setup{static_cast<int>(view), true, settings_of(case_)};
     scoreboards_.emplace_back(setup, [](sim::FrameResult&&) {});

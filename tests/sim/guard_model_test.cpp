@@ -120,6 +120,21 @@ TEST_CASE("a pixel that brings two events is one error") {
   CHECK(outcome.errors == 1);
 }
 
+TEST_CASE("a pixel that waits between two events for new settings is two errors") {
+  const auto errors = [](int thresholds) {
+    GuardModel guard({{15, true, 0}, {15, true, thresholds}}, kTimeout);
+    std::vector<ExpectedFrame> frames;
+    SourceFrame holds = faulty(20, 15, Fault::kCutFrame, 6);
+    holds.holds = true;
+    for (const SourceFrame& frame : {holds, good(1, 1), good(9, 15)}) {
+      for (const WireLinePtr& line : make_wire_lines(frame)) guard.feed(*line, frames);
+    }
+    return guard.errors();
+  };
+  CHECK(errors(0) == 1);
+  CHECK(errors(1) == 2);
+}
+
 TEST_CASE("sizes that are not legal are dropped, flagged or cut") {
   CHECK(guarded({good(4, 9), good(9, 9)}).frames.size() == 1);
   CHECK(guarded({good(4, 9), good(9, 9)}).kinds == 1u << kTooNarrowEvent);
