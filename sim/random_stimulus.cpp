@@ -9,14 +9,15 @@ namespace trihedron::sim {
 
 Size random_size(Random& random) {
   // Thousands of vertices in one frame.
-  if (random.chance(0.01)) return {random.between(1000, kMaxWidthPx), random.between(13, 80)};
+  if (random.chance(0.02)) return {random.between(1000, kMaxWidthPx), random.between(13, 80)};
+  const int below_largest = random.chance(0.5) ? 0 : random.between(1, 3);
   switch (random.between(0, 13)) {
     case 0:
       return {kMinSizePx, kMinSizePx};
     case 1:
-      return {kMaxWidthPx - random.between(0, 3), random.between(kMinSizePx, 8)};
+      return {kMaxWidthPx - below_largest, random.between(kMinSizePx, 8)};
     case 2:
-      return {random.between(kMinSizePx, 8), kMaxHeightPx - random.between(0, 3)};
+      return {random.between(kMinSizePx, 8), kMaxHeightPx - below_largest};
     case 3:
       return {2 * random.between(3, 60) + 1, 2 * random.between(3, 40) + 1};
     case 4:
@@ -35,8 +36,8 @@ Size random_size(Random& random) {
   }
 }
 
-StallProfile random_stalls(Random& random) {
-  switch (random.between(0, 5)) {
+StallProfile stalls_of_kind(std::uint64_t kind) {
+  switch (kind % kStallKinds) {
     case 0:
       return {0.1, 1};
     case 1:
@@ -49,6 +50,8 @@ StallProfile random_stalls(Random& random) {
       return {};
   }
 }
+
+StallProfile random_stalls(Random& random) { return stalls_of_kind(random.next()); }
 
 // One of the range's ends, or half of the time up to `usual`, where there is something to decide,
 // or anywhere.
@@ -71,14 +74,14 @@ golden::FrontEndConfig random_thresholds(Random& random) {
 }
 
 int random_vertex_limit(Random& random) {
-  if (random.chance(0.7)) return kMaxVertexLimit;
+  if (random.chance(0.6)) return kMaxVertexLimit;
   if (random.chance(0.1)) return 0;
   return random.between(0, random.chance(0.7) ? 20 : kMaxVertexLimit);
 }
 
 int random_flush_timeout(const StallProfile& pixel_idles, Random& random) {
   if (pixel_idles.probability == 0.0 && random.chance(0.3)) return random.between(16, 64);
-  if (random.chance(0.05)) return random.between(20000, 70000);
+  if (random.chance(0.08)) return random.between(5000, 70000);
   // Above the longest pause that a driver makes by itself.
   return random.between(512, 1500) + pixel_idles.longest;
 }
@@ -86,7 +89,7 @@ int random_flush_timeout(const StallProfile& pixel_idles, Random& random) {
 int random_gap(const Size& size, const RunOptions& options, Random& random) {
   const int enough = 3 * options.flush_timeout + 40 * size.width +
                      6 * std::max(options.contour_stalls.longest, options.vertex_stalls.longest);
-  if (enough > kMaxGapClocks || random.chance(0.8)) {
+  if (enough > kMaxGapClocks || random.chance(0.7)) {
     return random.between(1, std::min(100, options.flush_timeout / 4));
   }
   return enough;

@@ -16,10 +16,13 @@ struct Size {
   int height = 0;  ///< px
 };
 /// A legal size. The extremes are narrow in the other direction: a frame costs about 10,000 clocks,
-/// one in a hundred up to 150,000.
+/// one in fifty up to 150,000.
 Size random_size(Random& random);
 
-/// None, 10 %, 50 %, bursts of up to 64 clocks, and rare stops of up to kLongestStallClocks.
+/// None, 10 %, 50 %, bursts of up to 64 clocks, and rare stops of up to kLongestStallClocks, as
+/// `kind` modulo kStallKinds says.
+StallProfile stalls_of_kind(std::uint64_t kind);
+inline constexpr std::uint64_t kStallKinds = 6;  ///< none twice
 StallProfile random_stalls(Random& random);
 inline constexpr int kLongestStallClocks = 2000;
 
