@@ -108,6 +108,9 @@ int run(std::vector<std::string> words) {
   } catch (const CLI::ConfigError& error) {
     return fail("--config: " + one_line(error.what()) +
                 "; expected [COMMAND] and the names of its options without --");
+  } catch (const CLI::ConversionError& error) {
+    return fail(one_line(error.what()) +
+                "; expected a value of the kind and size that --help says");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
     return fail(one_line(error.what()) + "; see trihedron --help");

@@ -76,7 +76,7 @@ void add_scene_options(CLI::App& command, RenderArguments& a) {
   render::GenerateOptions& o = a.options;
   command.add_option("--scenes", a.scenes, "number of scenes")->check(kPositive);
   command.add_option("--first-id", a.first_id, "number of the first scene's folder");
-  command.add_option("--seed", a.seed, "same seed, same scenes");
+  command.add_option("--seed", a.seed, "same seed, same scenes")->check(kNotNegative);
   command.add_option("--objects", o.placement.objects, "objects per scene")->check(kPositive);
   command.add_flag("--stacked", o.placement.stacked, "the second object stands on the first");
   command.add_flag("--leaning", o.placement.leaning, "one object leans against the first");

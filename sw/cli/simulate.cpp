@@ -11,6 +11,7 @@
 #include "cli/shards.hpp"
 #include "cli/simulate_job.hpp"
 #include "golden/error.hpp"
+#include "io/file.hpp"
 
 namespace trihedron::cli {
 namespace {
@@ -131,7 +132,9 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--frontend", job.front_end, "Simulated RTL, or the golden model alone")
       ->check(CLI::IsMember({"rtl", "golden"}))
       ->capture_default_str();
-  command.add_option("--seed", job.seed, "Of the random stalls")->capture_default_str();
+  command.add_option("--seed", job.seed, "Of the random stalls")
+      ->check(kNotNegative)
+      ->capture_default_str();
   command.add_option("--idle", job.idles, "Chance of an idle at each pixel")
       ->check(CLI::Range(0.0, 0.95))
       ->capture_default_str();
@@ -143,6 +146,8 @@ void add_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--stats", job.stats, "Write clocks, stalls and vertices of each frame")
       ->type_name("FILE.csv|.json");
   command.add_flag("--skip-unreadable", job.skip_unreadable, "Pass over unreadable frames");
+  command.add_flag("--spoil", job.spoil,
+                   "Check against contours of NOISE_FLOOR 511: shows what a difference looks like");
   command.add_flag("--quiet", arguments.quiet, "Only the closing lines");
   command.add_flag("--json", arguments.json, "Print the result as JSON");
   arguments.shard.add_to(command);
@@ -159,6 +164,8 @@ void add_simulate(CLI::App& program, int& exit_code) {
   add_options(*command, *arguments);
   command->callback([arguments, &exit_code] {
     const SimulateArguments& job = arguments->job;
+    if (job.spoil && !job.check) throw Error("--spoil: needs --check");
+    if (!job.trace.empty()) require_writable(job.trace);
     if (job.front_end != "rtl" && (job.check || !job.trace.empty()))
       throw Error("--check and --trace need --frontend rtl");
     const bool parts = arguments->shard.merge || !arguments->shard.shard.empty();

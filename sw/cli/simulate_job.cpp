@@ -47,6 +47,10 @@ class Job {
     options.seed = arguments_.seed;
     options.check = arguments_.check;
     options.trace_file = arguments_.trace;
+    if (arguments_.spoil) {
+      options.expected_thresholds = golden::FrontEndConfig{};
+      options.expected_thresholds->first_contour.noise_floor = 511;
+    }
     options.pixel_idles = {arguments_.idles, 8};
     options.contour_stalls = options.vertex_stalls = {arguments_.stalls, 8};
     const sim::Report report = sim::Simulator::instance().run(
@@ -72,13 +76,20 @@ class Job {
     outcome_.clocks = report.clocks;
     outcome_.compared = report.compared;
     outcome_.passed = report.passed();
-    if (report.mismatch) outcome_.mismatch = report.mismatch->text();
+    if (report.mismatch) outcome_.mismatch = place_of(*report.mismatch) + report.mismatch->text();
     for (const sim::ViewStatistics& view : report.views) {
       outcome_.pixels += view.pixels;
       outcome_.input_stalls += view.input_stalls;
       outcome_.input_idles += view.input_idles;
       outcome_.latency_clocks = std::max(outcome_.latency_clocks, view.latency_clocks);
     }
+  }
+
+  /// The input of a difference: the view's frame that has not come out whole, if there is one.
+  std::string place_of(const sim::Mismatch& mismatch) const {
+    const auto& waiting = in_flight_[static_cast<std::size_t>(mismatch.view)];
+    if (waiting.empty()) return "";
+    return fmt::format("{}/{:06}: ", waiting.front().sequence, waiting.front().id);
   }
 
   std::optional<InputFrame> next() {

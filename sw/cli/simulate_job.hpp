@@ -18,6 +18,7 @@ struct SimulateArguments {
   double idles = 0.0, stalls = 0.0;
   int limit = 0;
   bool check = false, skip_unreadable = false;
+  bool spoil = false;  ///< check against thresholds that the hardware does not have
 };
 
 /// What a simulation of frames came to; parts of a job can be added up.
@@ -27,7 +28,7 @@ struct SimulationOutcome {
   std::uint64_t latency_clocks = 0;  ///< the largest
   sim::Compared compared;
   bool passed = true;    ///< with --check: everything was equal, and something was compared
-  std::string mismatch;  ///< empty: none
+  std::string mismatch;  ///< which input and what; empty: none
 
   void add(const SimulationOutcome& part);
   std::string to_text() const;

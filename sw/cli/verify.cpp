@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/first_failure.hpp"
 #include "cli/frame_inputs.hpp"
 #include "cli/shards.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verify_report.hpp"
 #include "golden/error.hpp"
+#include "io/file.hpp"
 #include "sim/functional_coverage.hpp"
 #include "sim/regression.hpp"
 
@@ -38,9 +40,20 @@ std::string verdict(const sim::Report& report) {
   return report.passed() ? "" : fmt::format("seed {}: nothing was compared", report.seed);
 }
 
-/// The same case once more, with the clocks up to the difference in a waveform.
-void trace_difference(sim::RegressionCase regression_case, const Arguments& arguments,
-                      std::uint64_t clock) {
+sim::RegressionCase case_of(std::uint64_t seed, const Arguments& arguments,
+                            const std::vector<sim::GreyImage>& pictures) {
+  sim::RegressionCase regression_case = sim::make_case(seed, pictures);
+  if (arguments.spoil) {
+    regression_case.options.expected_thresholds = golden::FrontEndConfig{};
+    regression_case.options.expected_thresholds->first_contour.noise_floor = 511;
+  }
+  return regression_case;
+}
+
+/// A failed case twice more: where it differs, then the clocks before that in a waveform.
+void trace_difference(sim::RegressionCase regression_case, const Arguments& arguments) {
+  const sim::Report report = sim::run_case(regression_case);
+  const std::uint64_t clock = report.mismatch ? report.mismatch->clock : 0;
   sim::RunOptions& options = regression_case.options;
   options.trace_file = arguments.trace;
   options.trace_from_clock = clock > arguments.trace_clocks ? clock - arguments.trace_clocks : 0;
@@ -52,11 +65,7 @@ CaseOutcome run_one(std::uint64_t seed, const Arguments& arguments,
   CaseOutcome outcome;
   outcome.seed = seed;
   const auto start = std::chrono::steady_clock::now();
-  sim::RegressionCase regression_case = sim::make_case(seed, pictures);
-  if (arguments.spoil) {
-    regression_case.options.expected_thresholds = golden::FrontEndConfig{};
-    regression_case.options.expected_thresholds->first_contour.noise_floor = 511;
-  }
+  sim::RegressionCase regression_case = case_of(seed, arguments, pictures);
   if (!arguments.code_coverage.empty()) {
     regression_case.options.code_coverage_file =
         fmt::format("{}/{}.dat", arguments.code_coverage, getpid());
@@ -66,9 +75,6 @@ CaseOutcome run_one(std::uint64_t seed, const Arguments& arguments,
   outcome.clocks = report.clocks;
   outcome.compared = report.compared;
   outcome.failure = verdict(report);
-  if (report.mismatch && !arguments.trace.empty()) {
-    trace_difference(regression_case, arguments, report.mismatch->clock);
-  }
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return outcome;
 }
@@ -91,10 +97,20 @@ std::vector<sim::GreyImage> read_pictures(const std::vector<std::string>& inputs
   return pictures;
 }
 
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  const bool plain = word.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                         "0123456789_-+./:=@%,") == word.npos;
+  return plain ? word : out + "'";
+}
+
 /// The command that repeats one case.
 std::string repeat_command(const CaseOutcome& outcome, const Arguments& arguments) {
   std::string command = fmt::format("trihedron verify --seed {} --frames 1", outcome.seed);
-  for (const std::string& picture : arguments.pictures) command += " --pictures " + picture;
+  for (const std::string& picture : arguments.pictures) command += " --pictures " + quoted(picture);
   return command + (arguments.spoil ? " --spoil" : "") + " --trace difference.fst";
 }
 
@@ -132,6 +148,7 @@ void print_json(const Sum& sum, const std::vector<CaseOutcome>& outcomes,
   if (sum.failed) {
     out["failure"] = sum.failed->failure;
     out["repeat"] = repeat_command(*sum.failed, arguments);
+    if (!arguments.trace.empty()) out["waveform"] = arguments.trace;
   }
   fmt::print("{}\n", out.dump(1));
 }
@@ -155,25 +172,34 @@ int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments,
 }
 
 int run(const Arguments& arguments) {
+  // Before hours of work, not behind them.
+  for (const std::string& file : {arguments.junit, arguments.coverage, arguments.trace})
+    if (!file.empty()) require_writable(file);
   const std::vector<std::uint64_t> seeds = plan(arguments);
   const std::vector<sim::GreyImage> pictures = read_pictures(arguments.pictures);
   const auto start = std::chrono::steady_clock::now();
-  bool failed = false;
+  FirstFailure failure;
   const std::optional<std::vector<std::string>> texts =
       run_sharded(seeds.size(), arguments.jobs, "cases", arguments.shard, [&](std::size_t item) {
         CaseOutcome outcome;
         outcome.seed = seeds[item];
-        outcome.skipped = failed;
-        if (!failed) outcome = run_one(seeds[item], arguments, pictures);
-        failed = failed || !outcome.failure.empty();
+        outcome.skipped = failure.is_before(item);
+        if (!outcome.skipped) outcome = run_one(seeds[item], arguments, pictures);
+        if (!outcome.failure.empty()) failure.note(item);
         return outcome.to_text();
       });
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   if (!texts) return kDone;
   std::vector<CaseOutcome> outcomes;
   for (const std::string& text : *texts) outcomes.push_back(CaseOutcome::from_text(text));
-  if (!arguments.junit.empty()) write_junit(arguments.junit, outcomes);
+  const auto repeat = [&](const CaseOutcome& outcome) {
+    return repeat_command(outcome, arguments);
+  };
+  if (!arguments.junit.empty()) write_junit(arguments.junit, outcomes, repeat);
   if (!arguments.coverage.empty()) write_coverage(arguments.coverage, outcomes);
+  const CaseOutcome* const failed = sum_of(outcomes).failed;
+  if (failed && !arguments.trace.empty())
+    trace_difference(case_of(failed->seed, arguments, pictures), arguments);
   return report(outcomes, arguments, time.count());
 }
 
@@ -186,16 +212,19 @@ void add_verify(CLI::App& program, int& exit_code) {
   command->add_option("--frames", arguments->frames, "Send at least so many frames")
       ->check(kPositive)
       ->capture_default_str();
-  command->add_option("--seed", arguments->seed, "Seed of the first case")->capture_default_str();
+  command->add_option("--seed", arguments->seed, "Seed of the first case")
+      ->check(kNotNegative)
+      ->capture_default_str();
   command->add_option("--jobs", arguments->jobs, "Processes")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
   command->add_option("--pictures", arguments->pictures, "Real images or videos to crop from")
       ->type_name("INPUT");
   command->add_option("--junit", arguments->junit, "Write a JUnit report")->type_name("FILE");
-  command->add_option("--trace", arguments->trace, "Write the waveform before a difference")
+  command->add_option("--trace", arguments->trace, "Write the waveform before the first difference")
       ->type_name("FILE.fst");
   command->add_option("--trace-clocks", arguments->trace_clocks, "Clocks of that waveform")
+      ->check(kNotNegative)
       ->capture_default_str();
   command->add_option("--coverage", arguments->coverage, "Write the functional coverage as JSON")
       ->type_name("FILE");

@@ -64,7 +64,8 @@ CaseOutcome CaseOutcome::from_text(const std::string& text) {
   return outcome;
 }
 
-void write_junit(const std::string& file, const std::vector<CaseOutcome>& outcomes) {
+void write_junit(const std::string& file, const std::vector<CaseOutcome>& outcomes,
+                 const std::function<std::string(const CaseOutcome&)>& repeat) {
   std::string out;
   std::size_t failures = 0, skipped = 0;
   double seconds = 0.0;
@@ -83,7 +84,8 @@ void write_junit(const std::string& file, const std::vector<CaseOutcome>& outcom
                        outcome.seed, outcome.seconds);
     if (outcome.skipped) out += "<skipped/>";
     if (!outcome.failure.empty()) {
-      out += "<failure message=\"" + xml_escaped(outcome.failure) + "\"/>";
+      out += fmt::format("<failure message=\"{}\">repeat: {}</failure>",
+                         xml_escaped(outcome.failure), xml_escaped(repeat(outcome)));
     }
     out += "</testcase>\n";
   }

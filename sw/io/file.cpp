@@ -43,9 +43,26 @@ std::string read_whole(const fs::path& file, const std::string& what) {
   return bytes;
 }
 
-void write_whole(const fs::path& file, const std::string& bytes) {
+namespace {
+
+fs::path beside_of(const fs::path& file) {
   fs::path beside = file;
-  beside += ".part" + std::to_string(getpid());
+  return beside += ".part" + std::to_string(getpid());
+}
+
+}  // namespace
+
+void require_writable(const fs::path& file) {
+  const fs::path beside = beside_of(file);
+  std::error_code error;
+  const bool good = !fs::is_directory(file, error) && std::ofstream(beside).good();
+  fs::remove(beside, error);
+  if (!good)
+    throw Error(file.string() + ": cannot be written; expected a file in a writable folder");
+}
+
+void write_whole(const fs::path& file, const std::string& bytes) {
+  const fs::path beside = beside_of(file);
   std::ofstream out(beside, std::ios::binary);
   out << bytes;
   out.close();

@@ -18,6 +18,9 @@ void make_folder(const std::filesystem::path& folder);
 /// The file's bytes. Throws Error when it cannot be read.
 std::string read_whole(const std::filesystem::path& file, const std::string& what);
 
+/// Throws Error where write_whole() would, but for a full disk; leaves an existing file as it is.
+void require_writable(const std::filesystem::path& file);
+
 /// Writes beside the file, then renames: the file is never seen half written. Throws Error
 /// when the disk refuses.
 void write_whole(const std::filesystem::path& file, const std::string& bytes);

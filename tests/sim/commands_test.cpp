@@ -71,6 +71,42 @@ TEST_CASE("simulate passes over unreadable frames only if asked to") {
   CHECK_THAT(run.out, Contains("1 frames"));
 }
 
+TEST_CASE("simulate --check names the input in which it finds a difference") {
+  const Scratch scratch;
+  const std::string image = (scratch / "square.pgm").string();
+  const auto pixel = [](int i) { return i / 12 % 8 > 2 && i % 12 > 4 ? "200 " : "20 "; };
+  std::string pixels;
+  for (int i = 0; i < 12 * 8; ++i) pixels += pixel(i);
+  scratch.write("square.pgm", "P2 12 8 255\n" + pixels + "\n");
+  const Run run = run_program("simulate " + image + " --check --spoil");
+  CHECK(run.exit_code == 1);
+  CHECK_THAT(run.err, Contains("square/000000: first_contour differs: seed 1, view 0, frame 0"));
+  CHECK(run_program("simulate " + image + " --spoil").exit_code == 2);
+}
+
+TEST_CASE("a file that cannot be written is named before the work, not behind it") {
+  for (const char* option : {"--junit", "--coverage", "--trace"}) {
+    // A day's frames: only a refusal at once ends in time.
+    const Run run =
+        run_program(std::string("verify --frames 100000000 ") + option + " /no/such/folder/file");
+    CHECK(run.exit_code == 2);
+    CHECK_THAT(run.err, Contains("/no/such/folder/file: cannot be written"));
+  }
+  const Run run = run_program("simulate " + kStudioScene + " --trace /no/such/folder/file");
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.err, Contains("/no/such/folder/file: cannot be written"));
+}
+
+TEST_CASE("seeds and counts that are none are refused on one line") {
+  for (const char* arguments : {"verify --seed -1", "verify --frames 1e30", "verify --frames x",
+                                "verify --trace-clocks -1", "simulate . --seed -1"}) {
+    const Run run = run_program(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(is_one_line(run.err));
+    CHECK_THAT(run.err, Contains("expected"));
+  }
+}
+
 TEST_CASE("verify counts what it compared, the same for any number of jobs") {
   const Scratch scratch;
   const std::string junit = (scratch / "report.xml").string();
@@ -88,12 +124,14 @@ TEST_CASE("verify counts what it compared, the same for any number of jobs") {
 TEST_CASE(
     "a failing regression prints the one command that repeats it, with the waveform before it") {
   const Scratch scratch;
-  const Run run = run_program("verify --frames 60 --seed 1 --jobs 2 --spoil");
+  const std::string junit = (scratch / "report.xml").string();
+  const Run run = run_program("verify --frames 60 --seed 1 --jobs 2 --spoil --junit " + junit);
   CHECK(run.exit_code == 1);
   CHECK_THAT(run.out, Contains("FAILED: first_contour differs: seed"));
   const std::size_t at =
       run.out.find("repeat: trihedron ") + std::string("repeat: trihedron ").size();
   std::string repeat = run.out.substr(at, run.out.find('\n', at) - at);
+  CHECK_THAT(read_whole(junit, "report"), Contains(">repeat: trihedron " + repeat + "</failure>"));
   const std::size_t trace = repeat.find("difference.fst");
   REQUIRE(trace != std::string::npos);
   const std::string waveform = (scratch / "difference.fst").string();
