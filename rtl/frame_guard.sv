@@ -86,9 +86,9 @@ module frame_guard #(
   logic active_q, begun_q, quiet_q;
   // For what is in flight to leave wait a start of frame, until new settings are loaded, and a first
   // line, taken but not announced. A pixel that comes later than the time-out waits until its
-  // frame has ended: late.
-  logic settings_wait_q, settings_loaded_q, width_wait_q, late_q, go, settings_stop;
-  logic take, arrival, start, step, whole, ends, commit, timed_out, end_now;
+  // frame has ended: late. held: width_wait or late.
+  logic settings_wait_q, settings_loaded_q, width_wait_q, width_wait, late_q, late, held_q;
+  logic go, settings_stop, take, arrival, start, step, whole, ends, commit, timed_out, end_now;
   logic in_line, fits, must_end, same_width, last_row, over_max, few_rows, fifth, height_known;
   line_checks #(
       .MaxWidthPx (MaxWidthPx),
@@ -120,8 +120,8 @@ module frame_guard #(
   assign go = ring_ready_i && line_ready_i && !width_wait_q;
   assign settings_stop = sof && settings_changed_i && !settings_loaded_q;
   assign in_valid = front_valid && !late_q;
-  assign in_ready = go && !settings_stop && !late_q;
-  assign take = in_valid && in_ready;
+  assign in_ready = ring_ready_i && line_ready_i && !held_q && !settings_stop;
+  assign take = front_valid && in_ready;
   assign start = take && sof;
   assign arrival = in_valid && sof && go;  // ends the frame before, also while it waits itself
   assign step = take && !sof && active_q;
@@ -133,14 +133,15 @@ module frame_guard #(
   assign commit = go && whole;
   assign end_now = go && active_q && begun_q && ends;
 
+  assign late = timed_out && !in_valid && !go;
+  assign width_wait = (commit && !begun_q && !same_width) || (width_wait_q && !width_free_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      {active_q, begun_q, quiet_q, settings_wait_q, settings_loaded_q, width_wait_q, late_q} <= '0;
+      {active_q, begun_q, quiet_q, settings_wait_q, settings_loaded_q, width_wait_q, late_q, held_q} <= '0;
     end else begin
-      late_q            <= timed_out && !in_valid && !go;
+      {late_q, width_wait_q, held_q} <= {late, width_wait, late || width_wait};
       settings_wait_q   <= arrival && settings_stop && !load_settings_o;
       settings_loaded_q <= load_settings_o || (settings_loaded_q && !take);
-      width_wait_q      <= (commit && !begun_q && !same_width) || (width_wait_q && !width_free_i);
       active_q <= start ? enable_i && !eol : active_q && !(go && ends);
       begun_q  <= commit || (begun_q && !start);
       quiet_q  <= (take && (sof || !active_q)) || (quiet_q && !(end_now && (whole || !in_valid)));

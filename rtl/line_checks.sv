@@ -50,7 +50,8 @@ module line_checks #(
   end
   localparam int ColBits = $clog2(MaxWidthPx);
 
-  // Of the next pixel in a line; after a line's last pixel it stays at the width.
+  // Of the next pixel in a line; after a line's last pixel it stays at the width. Like the facts it needs no
+  // reset: they count within a frame, and its first pixel sets them.
   logic [ColBits-1:0] col_q;
   logic [ColBits-1:0] limit_q;  // the width in force less 2, in time for column 2
   logic first, goes_on, before_width;
@@ -59,12 +60,8 @@ module line_checks #(
   assign before_width = col_q == limit_q;
   always_ff @(posedge clk_i) begin
     limit_q <= second_o ? before_last_o[ColBits+:ColBits] : before_last_o[ColBits-1:0];
-    if (!rst_ni) begin
-      in_line_o <= 1'b0;
-    end else if (step_i) begin
-      in_line_o <= !eol_i;
-    end
     if (step_i) begin
+      in_line_o    <= !eol_i;
       col_q        <= first ? ColBits'(1) : col_q + ColBits'(1);
       same_width_o <= goes_on && before_width;
       must_end_o   <= goes_on && (begun_i ? before_width : col_q == ColBits'(MaxWidthPx - 2));

@@ -39,11 +39,11 @@ module pixel_ring #(
 
   // Positions have one bit more than an address: their difference tells empty from full. A line begins
   // at commit_q, the frame begun last began at frame_q.
-  logic [AddressBits:0] write_q, commit_q, frame_q, read_q, here, next, filled;
-  logic nearly_full_q;
+  logic [AddressBits:0] write_q, commit_q, frame_q, read_q, here, next, filled_q;
+  logic nearly_full;
   assign here   = first_i ? commit_q : write_q;
   assign next   = here + (AddressBits + 1)'(1);
-  assign filled = write_q - read_q;
+  assign nearly_full = filled_q[AddressBits] || &filled_q[AddressBits-1:3];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -55,9 +55,9 @@ module pixel_ring #(
       if (commit_i && begins_i) frame_q <= commit_q;
       if (restart_i) read_q <= frame_q;
       else if (read_i) read_q <= read_q + (AddressBits + 1)'(1);
-      ready_o <= !(unread_i && nearly_full_q);
+      ready_o <= !(unread_i && nearly_full);
     end
-    nearly_full_q <= rst_ni && (filled[AddressBits] || &filled[AddressBits-1:3]);
+    filled_q <= rst_ni ? write_q - read_q : '0;
   end
 
   line_memory #(

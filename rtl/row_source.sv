@@ -48,14 +48,14 @@ module row_source #(
     illegal_SettingsBits_must_be_at_least_1 stop ();
   end
 
-  // The comparison takes two clocks, sixteen bits at a time in the first.
-  localparam int Parts = SettingsBits / 16 + 1;
-  logic [16*Parts-1:0] difference;
+  // The comparison takes two clocks, eight bits at a time in the first: two levels of logic.
+  localparam int Parts = SettingsBits / 8 + 1;
+  logic [8*Parts-1:0] difference;
   logic [Parts-1:0] differs_q;
   logic settings_changed_q, load_settings;
-  assign difference = (16 * Parts)'(settings_i) ^ (16 * Parts)'(settings_o);
+  assign difference = (8 * Parts)'(settings_i) ^ (8 * Parts)'(settings_o);
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < Parts; i++) differs_q[i] <= difference[16*i+:16] != '0;
+    for (int i = 0; i < Parts; i++) differs_q[i] <= difference[8*i+:8] != '0;
     settings_changed_q <= !hold_i && differs_q != '0;
     if (!rst_ni || (load_settings && !hold_i)) settings_o <= settings_i;
   end

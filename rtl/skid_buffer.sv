@@ -32,15 +32,8 @@ module skid_buffer #(
   always_ff @(posedge clk_i) begin
     if (m_tready_i || !main_valid_q) main_q <= spare_valid_q ? spare_q : s_tdata_i;
     if (!spare_valid_q) spare_q <= s_tdata_i;
-    if (!rst_ni) begin
-      main_valid_q  <= 1'b0;
-      spare_valid_q <= 1'b0;
-    end else if (m_tready_i || !main_valid_q) begin
-      main_valid_q  <= spare_valid_q || s_tvalid_i;
-      spare_valid_q <= 1'b0;
-    end else if (s_tvalid_i) begin
-      spare_valid_q <= 1'b1;
-    end
+    main_valid_q  <= rst_ni && (spare_valid_q || s_tvalid_i || (main_valid_q && !m_tready_i));
+    spare_valid_q <= rst_ni && (spare_valid_q || s_tvalid_i) && main_valid_q && !m_tready_i;
   end
 
   // Handshake: an offered beat stays, unchanged, until it is taken.

@@ -163,7 +163,7 @@ module frame_guard_properties #(
   (* hierconn *) wire [RingBits:0] \ring.frame_q ;
   (* hierconn *) wire [RingBits:0] \ring.read_q ;
   (* hierconn *) wire [RingBits:0] \ring.here ;
-  (* hierconn *) wire \ring.nearly_full_q ;
+  (* hierconn *) wire \ring.nearly_full ;
 
   // The pixel of the watched column, as the ring holds it: of the line that comes in, and of the one
   // committed last.
@@ -264,7 +264,7 @@ module frame_guard_properties #(
   (* hierconn *) wire \dut.settings_wait_q ;
   (* hierconn *) wire \dut.settings_loaded_q ;
   (* hierconn *) wire \dut.announce_q ;
-  (* hierconn *) wire \dut.late_q ;
+  (* hierconn *) wire \dut.late_q , \dut.held_q ;
   (* hierconn *) wire [10:0] \dut.i_idle.left_low_q , \dut.i_idle.left_high_q ;
   (* hierconn *) wire \dut.i_checks.in_line_o ;
   (* hierconn *) wire \dut.i_checks.fits_o ;
@@ -305,6 +305,7 @@ module frame_guard_properties #(
     start_pending_q <= rst_ni && tvalid && tuser && !tready;
     if (started_q && rst_ni) begin
       assert (!\dut.late_q || timed_out);
+      assert (\dut.held_q == (\dut.late_q || waits));
       assert (!due_q || !active || (\dut.late_q && begun && !in_line && !\dut.i_checks.height_known_o ));
       assert (was_reset_q || line_tag != line_tag_q || \dut.i_checks.limit_q == last_col - 3'd1);
       assert (\ring.read_q == read_q && \dut.i_checks.height_q == 12'(height_q));
@@ -315,7 +316,7 @@ module frame_guard_properties #(
       assert (\ring.commit_q == base_q + (announced && line_whole ? 6'(width_next) : 6'd0));
       assert (\ring.write_q - \ring.commit_q <= 6'd6);
       assert (fill <= 6'd26 && (!ring_ready || fill <= 6'd25) && waiting <= fill);
-      assert (\ring.nearly_full_q ? fill >= 6'd16 : fill <= 6'd24);
+      assert (\ring.nearly_full ? fill >= 6'd16 : fill <= 6'd24);
       assert (waiting <= waiting_q + 6'd6 && waiting_q <= waiting + 6'd1);
       assert (stall_q == '0 || (!waits && ring_ready));
       assert (stall_q <= (\dut.settings_loaded_q ? 3'd4 : \dut.settings_wait_q ? 3'd3 :
