@@ -64,7 +64,7 @@ constexpr Field kVertexLimitVertices{kVertexLimit, 0, 16, 0xffff};  ///< records
 
 /// First contour: smallest magnitude of a contour pixel.
 constexpr std::uint32_t kNoiseFloor = 0x020;
-constexpr Field kNoiseFloorMagnitude{kNoiseFloor, 0, 9, 0xc};  ///< 1/8 grey level per px
+constexpr Field kNoiseFloorMagnitude{kNoiseFloor, 0, 9, 0xc};  ///< 1/2^FractionBits (by default 1/8) grey level per px
 
 /// First contour: the mean of the neighbours not above the centre stays below this part of it.
 constexpr std::uint32_t kMeanLimit = 0x024;
@@ -72,11 +72,11 @@ constexpr Field kMeanLimitMean{kMeanLimit, 0, 5, 0x15};  ///< 1/32 of the centre
 
 /// Second contour: smallest sum of the window's first contour magnitudes.
 constexpr std::uint32_t kSupport = 0x028;
-constexpr Field kSupportSum{kSupport, 0, 14, 0x90};  ///< 1/8 grey level per px
+constexpr Field kSupportSum{kSupport, 0, 14, 0x90};  ///< 1/2^FractionBits (by default 1/8) grey level per px
 
 /// Vertices: smallest magnitude of a vertex branch.
 constexpr std::uint32_t kBranchFloor = 0x02c;
-constexpr Field kBranchFloorMagnitude{kBranchFloor, 0, 9, 0x14};  ///< 1/8 grey level per px
+constexpr Field kBranchFloorMagnitude{kBranchFloor, 0, 9, 0x14};  ///< 1/2^FractionBits (by default 1/8) grey level per px
 
 /// Vertices: smallest turn of the contour between two strong branches.
 constexpr std::uint32_t kMinTurn = 0x030;
