@@ -17,7 +17,8 @@ step() {
 }
 
 step soak build/release/sw/cli/trihedron verify --frames "${1:-100000}" --seed 1000000 \
-  --jobs "$(nproc)" --pictures testvectors/scenes --junit $out/soak.xml --coverage $out/soak.json
+  --jobs "$(nproc)" --pictures testvectors/scenes testvectors/photographs \
+  --junit $out/soak.xml --coverage $out/soak.json
 step proofs tests/formal/prove.sh
 RUNS=100 step parameters tests/parameters/parameters.sh
 step coverage tests/coverage/coverage.sh 6000

@@ -110,8 +110,10 @@ TEST_CASE("seeds and counts that are none are refused on one line") {
 TEST_CASE("verify counts what it compared, the same for any number of jobs") {
   const Scratch scratch;
   const std::string junit = (scratch / "report.xml").string();
-  const Run one = run_program("verify --frames 40 --seed 5");
-  const Run two = run_program("verify --frames 40 --seed 5 --jobs 2 --junit " + junit);
+  const std::string verify =
+      "verify --frames 40 --seed 5 --pictures " TRIHEDRON_TESTVECTORS "/photographs";
+  const Run one = run_program(verify);
+  const Run two = run_program(verify + " --jobs 2 --junit " + junit);
   CHECK(one.exit_code == 0);
   CHECK(two.exit_code == 0);
   CHECK_THAT(one.out, Contains("equal to the golden model") && Contains("seeds 5 to"));
