@@ -9,17 +9,22 @@
 //
 // drained: behind the last real row came 11 void rows and 96 beats of a twelfth or more; its frame has
 // left the pipeline by then. width_free: the same behind the last row of the width that is not in force.
-module row_slots_properties (
+//
+// Steady leaves nothing open, for searches far from reset: a consumer that takes every beat, an input that
+// rests, frames of three rows, 6 and 5 px wide in turn, each as soon as it may come.
+module row_slots_properties #(
+    parameter bit Steady = 1'b0
+) (
     input logic       clk_i,
-    input logic       rst_ni,
-    input logic       line_valid,
-    input logic       line_whole,
-    input logic       line_last,
-    input logic       flip,
-    input logic [2:0] new_width,
-    input logic       go,
-    input logic       idle,
-    input logic       switch_wanted
+    input logic       any_rst_n,
+    input logic       any_line,
+    input logic       any_whole,
+    input logic       any_last,
+    input logic       any_flip,
+    input logic [2:0] any_width,
+    input logic       any_go,
+    input logic       any_idle,
+    input logic       any_switch
 );
   localparam int MaxWidthPx = 6;
   localparam int RingBits = 5;
@@ -32,6 +37,20 @@ module row_slots_properties (
   logic [5:0] width_q, before_last;
   logic tag_q;  // the width in force
   assign before_last = {width_q[5:3] - 3'd2, width_q[2:0] - 3'd2};
+  logic rst_ni, line_valid, line_whole, line_last, flip, go, idle, switch_wanted, line_ready_q, fresh_q;
+  logic [2:0] new_width;
+  if (Steady) begin : gen_steady
+    logic [1:0] rows_q;
+    assign {rst_ni, go, idle, switch_wanted} = {started_q, 3'b110};
+    assign flip = rst_ni && free && !open_q && !fresh_q;
+    assign new_width = tag_q ? 3'd5 : 3'd6;
+    assign {line_valid, line_whole} = {rst_ni && line_ready_q && !flip && rows_q != 2'd3, 1'b1};
+    assign line_last = rows_q == 2'd2;
+    always_ff @(posedge clk_i) rows_q <= !rst_ni ? 2'd3 : flip ? 2'd0 : rows_q + 2'(line_valid);
+  end else begin : gen_any
+    assign {rst_ni, line_valid, line_whole, line_last} = {any_rst_n, any_line, any_whole, any_last};
+    assign {flip, new_width, go, idle, switch_wanted} = {any_flip, any_width, any_go, any_idle, any_switch};
+  end
   row_slots #(
       .MaxWidthPx(MaxWidthPx)
   ) dut (
@@ -64,7 +83,7 @@ module row_slots_properties (
   // frame_guard's part. Faults are marks: the frame's number. A width changes when it is free, between
   // frames; the next line has it. frame_guard waits only behind a frame.
   logic [RingBits:0] announced_q, frame_q, read_q;
-  logic unread_q, line_ready_q, fresh_q;
+  logic unread_q;
   wire [2:0] width = tag_q ? width_q[5:3] : width_q[2:0];
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
