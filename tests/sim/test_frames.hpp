@@ -16,6 +16,18 @@ inline GreyImage polygons(int width, int height, std::uint64_t seed) {
   return make_image(Pattern::kPolygons, width, height, random, {});
 }
 
+/// Squares of 6 px: corners everywhere, also near the last rows and columns.
+inline GreyImage squares(int width, int height, Random& random) {
+  GreyImage image{width, height, {}};
+  const int left = random.between(0, 11), above = random.between(0, 11);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      image.pixels.push_back((x + left) % 12 < 6 && (y + above) % 12 < 6 ? 200 : 40);
+    }
+  }
+  return image;
+}
+
 inline SourceFrame frame_of(GreyImage image) {
   SourceFrame frame;
   frame.image = std::move(image);

@@ -93,16 +93,25 @@ TEST_CASE("a third width waits until the first has left, for a drain at most") {
   }
 }
 
-/// Squares of 6 px: corners everywhere, also near the last rows and columns.
-GreyImage squares(const Size& size, Random& random) {
-  GreyImage image{size.width, size.height, {}};
-  const int left = random.between(0, 11), above = random.between(0, 11);
-  for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      image.pixels.push_back((x + left) % 12 < 6 && (y + above) % 12 < 6 ? 200 : 40);
-    }
+TEST_CASE(
+    "new settings wait for the frame before to leave, not for the end of the row that pushes it") {
+  constexpr int kWidthPx = 600;
+  constexpr std::uint64_t kSwitchClocks = 40;
+  SourceFrame holds = frame_of(polygons(kWidthPx, 8, 4));
+  holds.holds = true;
+  RunOptions options;
+  options.check = true;
+  SettingsChange change;
+  change.thresholds.first_contour.noise_floor = 30;
+  options.changes = {change};
+  const std::vector<SourceFrame> frames{holds, frame_of(polygons(kWidthPx, 8, 5))};
+  const Report report = Simulator::instance().run(options, for_all_views(frames), nullptr);
+  REQUIRE(report.passed());
+  // Its last row goes out while nothing more comes in, then eleven void rows and 96 beats.
+  for (const ViewStatistics& view : report.views) {
+    CHECK(view.input_stalls >= kDrainRows * kWidthPx);
+    CHECK(view.input_stalls <= kDrainRows * kWidthPx + kDrainBeats + kSwitchClocks);
   }
-  return image;
 }
 
 // Slots longer than their rows pass what earlier frames left in the line memories.
@@ -110,7 +119,7 @@ TEST_CASE("frames of any widths in turn know nothing of each other") {
   Random random(GENERATE(range(0u, 4u)));
   std::vector<SourceFrame> frames;
   for (int i = 0; i < 150; ++i) {
-    frames.push_back(frame_of(squares({random.between(5, 90), random.between(5, 30)}, random)));
+    frames.push_back(frame_of(squares(random.between(5, 90), random.between(5, 30), random)));
   }
   RunOptions options;
   options.check = true;
