@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Proves that a mutant is the same design: no input, from a reset on, makes the outputs of the module and of
 its mutated copy differ. Once more inside the module that instantiates it, where some inputs are constants and
-some outputs are not used. What is proved cannot be killed.
+some outputs are not used. An instance whose port is mutated is looked into. What is proved cannot be killed.
 
 usage: equivalence.py FOLDER ID...   FOLDER is that of mutants.py
 """
@@ -14,22 +14,24 @@ import subprocess
 import sys
 import tempfile
 
+import netlist
+
 PDR_S, TIMEOUT_S = 15, 120
 
 
-def prepare(design, module, top, mutate, name):
-    """The module `top` with `module` flattened into it; all other instances become ports."""
+def prepare(design, modules, top, mutate, name):
+    """The module `top` with `modules` flattened into it; all other instances become ports."""
     return (f"read_rtlil {design}\n{mutate}\nhierarchy -top {top}\n"
-            f"setattr -mod -set keep_hierarchy 1 *\nsetattr -mod -unset keep_hierarchy {module} {top}\n"
+            f"setattr -mod -set keep_hierarchy 1 *\nsetattr -mod -unset keep_hierarchy {modules} {top}\n"
             f"flatten {top}\ncd {top}\nexpose -evert c:*\ncd ..\nmemory -nomap\nmemory_map\nopt_clean\n"
             f"rename {top} {name}\ndesign -stash {name}\ndesign -reset\n")
 
 
-def same(design, module, top, command):
+def same(design, modules, top, command):
     """Both begin with all registers 0 and see the same inputs, rst_ni among them."""
     with tempfile.TemporaryDirectory() as folder:
         aiger = f"{folder}/pair.aig"
-        script = (prepare(design, module, top, "", "gold") + prepare(design, module, top, command, "gate") +
+        script = (prepare(design, modules, top, "", "gold") + prepare(design, modules, top, command, "gate") +
                   "design -copy-from gold -as gold gold\ndesign -copy-from gate -as gate gate\n"
                   "miter -equiv -flatten -make_assert gold gate pair\nhierarchy -top pair\n"
                   "setundef -undriven -init -zero\nsetundef -zero\nopt_clean\ndffunmap\ntechmap\nsimplemap\n"
@@ -43,6 +45,15 @@ def same(design, module, top, command):
         except (subprocess.TimeoutExpired, subprocess.CalledProcessError):
             return False
         return "Property proved" in run.stdout
+
+
+def instantiated(design, module, name):
+    """The module of which cell `name` is an instance; "" for a cell of Yosys's own."""
+    for cell in netlist.cells(design):
+        if cell.module.lstrip("\\") == module.lstrip("\\") and cell.name.lstrip("\\") == name.lstrip("\\"):
+            kind = cell.origin[1]
+            return kind if kind.startswith(("\\", "$paramod")) else ""
+    return ""
 
 
 def parents(design, module):
@@ -60,10 +71,11 @@ def proved(folder, mutant):
     """Where the mutant makes no difference: "in itself", "in PARENT", or "" when not proved."""
     design = folder / "design.il"
     module = mutant["command"].split("-module ")[1].split()[0]
-    if same(design, module, module, mutant["command"]):
+    modules = f"{module} {instantiated(design, module, mutant['cell'])}"
+    if same(design, modules, module, mutant["command"]):
         return "in itself"
     above = parents(design, module)
-    if above and all(same(design, module, top, mutant["command"]) for top in above):
+    if above and all(same(design, modules, top, mutant["command"]) for top in above):
         names = [re.sub(r".*\\", "", re.sub(r"\\[A-Za-z]+=.*", "", top)) for top in above]
         return "in " + " and ".join(sorted(set(names)))
     return ""

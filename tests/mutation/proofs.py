@@ -21,9 +21,9 @@ PROVE = ROOT / "tests/formal/prove.sh"
 # As mutants.py leaves a module before it mutates it.
 TIDY = "opt_expr; opt_merge; opt_clean"
 # Shortest first; `view` and the window of 11 rows take minutes a mutant and add little.
-PROOFS = ("skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit row_slots "
-          "frame_guard frame_guard_good gradient first_contour ridge second_contour vertex_value "
-          "contour_packer slot_tracker line_window line_window_side").split()
+PROOFS = ("skid_buffer shift_fifo stream_fifo stream_merge axil_slave register_bank credit idle_timer "
+          "drain_count row_slots frame_guard frame_guard_good gradient first_contour ridge second_contour "
+          "vertex_value contour_packer slot_tracker line_window line_window_side vertex_peak vertex_packer").split()
 
 
 @functools.lru_cache(maxsize=None)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Looks for what kills each mutant, cheapest first: some frames of the regression, the directed tests, the
-proofs, more frames; before the proofs equivalence.py tries to prove that it is the same design. What is
+"""Looks for what kills each mutant, cheapest first: some frames of the regression, the proofs, the directed
+tests, more frames; behind the first equivalence.py tries to prove that it is the same design. What is
 left must stand in equivalent.txt. Writes answers.jsonl, stage by stage, and a Markdown table per module;
 exit code 1 when others are left. Interrupted, it goes on with --continue."""
 
@@ -103,7 +103,7 @@ def main():
         if how := kill({"id": 0}):
             raise SystemExit(f"the design without a mutant already fails in {name}: {how}")
     if not arguments.no_proofs:
-        stages[2:2] = [(SAME, functools.partial(equivalence.proved, arguments.folder)),
+        stages[1:1] = [(SAME, functools.partial(equivalence.proved, arguments.folder)),
                        ("proofs", functools.partial(proofs.broken, arguments.folder))]
     answers = Answers(arguments.folder / "answers.jsonl", arguments.resume)
     results = judge_all(mutants, stages, arguments.jobs, answers)

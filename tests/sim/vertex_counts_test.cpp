@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Counts of vertices: registers, records and golden model are compared at the end of each run.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "sim/test_frames.hpp"
@@ -46,4 +47,25 @@ TEST_CASE("any number of lost vertices flags its frame, also one of a single bit
       CHECK(view.last_vertices_lost == static_cast<std::uint32_t>(lost));
     }
   }
+}
+
+// One of some hundred thousand vertices of noise, at the lowest thresholds.
+TEST_CASE("eight branches, as many as a ring of 16 pixels can have, do occur") {
+  constexpr int kSidePx = 40;
+  Random random(5757);
+  const GreyImage noise = make_image(Pattern::kNoise, kSidePx, kSidePx, random, {});
+  RunOptions options;
+  options.check = true;
+  options.thresholds.first_contour = {4, 26};
+  options.thresholds.second_contour.support = 0;
+  options.thresholds.vertices = {1, 1};
+  std::vector<Vertex> vertices;
+  const Report report =
+      Simulator::instance().run(options, for_all_views({frame_of(noise)}),
+                                [&](FrameResult&& frame) { vertices = frame.features.vertices; });
+  REQUIRE(report.passed());
+  const auto branches = [](const Vertex& a, const Vertex& b) { return a.branches < b.branches; };
+  const Vertex most = *std::max_element(vertices.begin(), vertices.end(), branches);
+  CHECK(most.branches == 8);
+  CHECK((most.x == 20 && most.y == 16));
 }
