@@ -43,12 +43,14 @@ class Answers:
         return by
 
 
-def judge_all(mutants, stages, jobs, answers):
-    """Stage by stage those that are left; the first that kills one or finds the same design decides."""
+def judge_all(mutants, stages, jobs, answers, explained):
+    """Stage by stage those that are left; the first that kills one or finds the same design decides. What
+    cannot be killed for a known reason is put before the first stage only, which holds the reason to it."""
     results = {m["id"]: {**m, "stage": "", "by": ""} for m in mutants}
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for stage, kill in stages:
-            left = [m for m in mutants if not results[m["id"]]["stage"]]
+            left = [m for m in mutants if not results[m["id"]]["stage"] and
+                    (stage == stages[0][0] or rtl_place.key(m) not in explained)]
             for mutant, by in zip(left, pool.map(lambda m: answers.ask(stage, kill, m), left)):
                 if by:
                     results[mutant["id"]].update(stage=stage, by=by)
@@ -99,15 +101,15 @@ def main():
     stages = [("frames", killers.regression(arguments.build, arguments.frames, 1)),
               ("tests", killers.tests(arguments.build)),
               ("more frames", killers.regression(arguments.build, arguments.more_frames, 100001))]
+    answers = Answers(arguments.folder / "answers.jsonl", arguments.resume)
     for name, kill in stages:
-        if how := kill({"id": 0}):
+        if how := answers.ask(name, kill, {"id": 0, "command": "none"}):
             raise SystemExit(f"the design without a mutant already fails in {name}: {how}")
     if not arguments.no_proofs:
         stages[1:1] = [(SAME, functools.partial(equivalence.proved, arguments.folder)),
                        ("proofs", functools.partial(proofs.broken, arguments.folder))]
-    answers = Answers(arguments.folder / "answers.jsonl", arguments.resume)
-    results = judge_all(mutants, stages, arguments.jobs, answers)
     explained = rtl_place.read_list(ROOT / "tests/mutation/equivalent.txt")
+    results = judge_all(mutants, stages, arguments.jobs, answers, explained)
     report = table(results, [name for name, _ in stages], explained)
     (arguments.folder / "results.md").write_text(report)
     print(report)
