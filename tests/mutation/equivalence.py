@@ -23,7 +23,8 @@ def prepare(design, modules, top, mutate, name):
     """The module `top` with `modules` flattened into it; all other instances become ports."""
     return (f"read_rtlil {design}\n{mutate}\nhierarchy -top {top}\n"
             f"setattr -mod -set keep_hierarchy 1 *\nsetattr -mod -unset keep_hierarchy {modules} {top}\n"
-            f"flatten {top}\ncd {top}\nexpose -evert c:*\ncd ..\nmemory -nomap\nmemory_map\nopt_clean\n"
+            f"flatten {top}\ncd {top}\nexpose -evert c:*\ncd ..\nselect -set rest * {top} %d\ndelete @rest\n"
+            f"memory -nomap\nmemory_map\nopt_clean\n"
             f"rename {top} {name}\ndesign -stash {name}\ndesign -reset\n")
 
 
