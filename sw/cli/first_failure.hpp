@@ -32,6 +32,7 @@ class FirstFailure {
     while (item < first && !item_->compare_exchange_weak(first, item)) {
     }
   }
+  bool any() const { return item_->load() != std::numeric_limits<std::size_t>::max(); }
   bool is_before(std::size_t item) const { return item_->load() < item; }
 
  private:

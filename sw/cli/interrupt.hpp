@@ -4,8 +4,8 @@
 namespace trihedron::cli {
 
 /// From its construction on, the first SIGINT (Ctrl-C) or SIGTERM does not end the program but is
-/// remembered, so that the work can stop between two frames with its results written. A second
-/// one ends the program at once.
+/// remembered, also by processes forked later, so that the work can stop between two frames with
+/// its results written. A second one ends the program at once.
 class Interruption {
  public:
   Interruption();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -79,7 +80,10 @@ int run_whole(const Arguments& arguments) {
   FrameInputs inputs(arguments.job.inputs, arguments.job.skip_unreadable);
   SimulationOutcome outcome;
   {
-    Progress progress(inputs.count(), "frames", arguments.quiet);
+    std::optional<std::size_t> count = inputs.count();
+    const auto limit = static_cast<std::size_t>(arguments.job.limit);
+    if (limit > 0) count = std::min(count.value_or(limit), limit);
+    Progress progress(count, "frames", arguments.quiet);
     outcome = simulate_frames(arguments.job, inputs, [&](const std::string& line) {
       progress.clear();
       if (prints_frames(arguments)) fmt::print("{}\n", line);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/first_failure.hpp"
 #include "cli/frame_inputs.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/shards.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verify_report.hpp"
@@ -119,6 +121,7 @@ struct Sum {
   sim::Compared compared;
   std::uint64_t clocks = 0;
   const CaseOutcome* failed = nullptr;  ///< the first
+  std::uint64_t last_seed = 0;          ///< of those that ran
 };
 
 Sum sum_of(const std::vector<CaseOutcome>& outcomes) {
@@ -130,6 +133,7 @@ Sum sum_of(const std::vector<CaseOutcome>& outcomes) {
     sum.compared.records += outcome.compared.records;
     sum.compared.registers += outcome.compared.registers;
     sum.clocks += outcome.clocks;
+    if (!outcome.skipped) sum.last_seed = outcome.seed;
   }
   return sum;
 }
@@ -142,7 +146,7 @@ void print_json(const Sum& sum, const std::vector<CaseOutcome>& outcomes,
                                 {"records", sum.compared.records},
                                 {"registers", sum.compared.registers},
                                 {"first_seed", outcomes.front().seed},
-                                {"last_seed", outcomes.back().seed},
+                                {"last_seed", sum.last_seed},
                                 {"clocks", sum.clocks},
                                 {"seconds", seconds}};
   if (sum.failed) {
@@ -161,14 +165,44 @@ int report(const std::vector<CaseOutcome>& outcomes, const Arguments& arguments,
     fmt::print("{} {}\nrepeat: {}\n", toned(stdout, Tone::kBad, "FAILED:"), sum.failed->failure,
                repeat_command(*sum.failed, arguments));
     if (!arguments.trace.empty()) fmt::print("waveform: {}\n", arguments.trace);
+  } else if (sum.compared.beats == 0) {
+    fmt::print("nothing was compared\n");
   } else if (!arguments.quiet) {
     fmt::print(
         "equal to the golden model: {} frames, {} contour beats, {} vertex-stream records, "
         "{} register values; seeds {} to {}, {} clocks, {:.1f} s\n",
         sum.compared.frames, sum.compared.beats, sum.compared.records, sum.compared.registers,
-        outcomes.front().seed, outcomes.back().seed, sum.clocks, seconds);
+        outcomes.front().seed, sum.last_seed, sum.clocks, seconds);
+  }
+  if (!sum.failed && Interruption::requested()) {
+    const auto left_out = std::count_if(outcomes.begin(), outcomes.end(),
+                                        [](const CaseOutcome& outcome) { return outcome.skipped; });
+    fmt::print(stderr, "trihedron: interrupted; {} of {} cases were left out\n", left_out,
+               outcomes.size());
+    return Interruption::exit_code();
   }
   return sum.failed ? kNothingFound : kDone;
+}
+
+/// Runs the cases; nothing where a shard keeps its part for `merge`. Ctrl-C leaves out what has not
+/// begun, but in a shard, which is whole or nothing.
+std::optional<std::vector<std::string>> run_cases(const Arguments& arguments,
+                                                  const std::vector<std::uint64_t>& seeds) {
+  const std::vector<sim::GreyImage> pictures = read_pictures(arguments.pictures);
+  std::optional<Interruption> interruption;
+  if (arguments.shard.shard.empty()) interruption.emplace();
+  FirstFailure failure;
+  const auto texts =
+      run_sharded(seeds.size(), arguments.jobs, "cases", arguments.shard, [&](std::size_t item) {
+        CaseOutcome outcome;
+        outcome.seed = seeds[item];
+        outcome.skipped = failure.is_before(item) || Interruption::requested();
+        if (!outcome.skipped) outcome = run_one(seeds[item], arguments, pictures);
+        if (!outcome.failure.empty()) failure.note(item);
+        return outcome.to_text();
+      });
+  if (!texts && failure.any()) fmt::print(stderr, "trihedron: a case failed; merge says which\n");
+  return texts;
 }
 
 int run(const Arguments& arguments) {
@@ -176,18 +210,8 @@ int run(const Arguments& arguments) {
   for (const std::string& file : {arguments.junit, arguments.coverage, arguments.trace})
     if (!file.empty()) require_writable(file);
   const std::vector<std::uint64_t> seeds = plan(arguments);
-  const std::vector<sim::GreyImage> pictures = read_pictures(arguments.pictures);
   const auto start = std::chrono::steady_clock::now();
-  FirstFailure failure;
-  const std::optional<std::vector<std::string>> texts =
-      run_sharded(seeds.size(), arguments.jobs, "cases", arguments.shard, [&](std::size_t item) {
-        CaseOutcome outcome;
-        outcome.seed = seeds[item];
-        outcome.skipped = failure.is_before(item);
-        if (!outcome.skipped) outcome = run_one(seeds[item], arguments, pictures);
-        if (!outcome.failure.empty()) failure.note(item);
-        return outcome.to_text();
-      });
+  const std::optional<std::vector<std::string>> texts = run_cases(arguments, seeds);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   if (!texts) return kDone;
   std::vector<CaseOutcome> outcomes;
@@ -199,7 +223,8 @@ int run(const Arguments& arguments) {
   if (!arguments.coverage.empty()) write_coverage(arguments.coverage, outcomes);
   const CaseOutcome* const failed = sum_of(outcomes).failed;
   if (failed && !arguments.trace.empty())
-    trace_difference(case_of(failed->seed, arguments, pictures), arguments);
+    trace_difference(case_of(failed->seed, arguments, read_pictures(arguments.pictures)),
+                     arguments);
   return report(outcomes, arguments, time.count());
 }
 

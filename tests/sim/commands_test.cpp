@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "cli/run.hpp"
@@ -145,6 +146,22 @@ TEST_CASE(
   const auto windowed = std::filesystem::file_size(waveform);
   run_program(repeat);
   CHECK(windowed < std::filesystem::file_size(waveform));
+}
+
+TEST_CASE(
+    "verify that is interrupted says what it left out, whoever of its processes gets the signal") {
+  const Scratch scratch;
+  const std::string err = (scratch / "err").string();
+  scratch.write("interrupt.sh",
+                std::string(TRIHEDRON_BINARY) + " verify --frames 3000 --seed 3 --jobs 2 2>" + err +
+                    " >/dev/null & program=$!\n"
+                    "until [ -n \"$(cat /proc/$program/task/$program/children)\" ]; do\n"
+                    "  kill -0 $program || exit 3\ndone\n"
+                    "kill -TERM $program; wait $program\n");
+  const int status = std::system(("bash " + (scratch / "interrupt.sh").string()).c_str());
+  CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
+  CHECK_THAT(read_whole(err, "errors"),
+             Contains("trihedron: interrupted;") && Contains("cases were left out"));
 }
 
 TEST_CASE("verify writes its functional coverage, hit bins and missed ones") {
