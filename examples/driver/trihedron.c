@@ -19,7 +19,7 @@ int trihedron_open(struct trihedron_core *core, volatile uint32_t *registers) {
 }
 
 void trihedron_start(const struct trihedron_core *core, uint32_t lines, uint32_t vertex_limit) {
-  /* Nothing enters while it is set up: the frames under way are dropped whole. */
+  /* No frame begins while it is set up; one under way comes out whole, with the settings it began with. */
   trihedron_write(core, TRIHEDRON_CONTROL, 0);
   trihedron_write(core, TRIHEDRON_FRAME_HEIGHT, lines);
   trihedron_write(core, TRIHEDRON_VERTEX_LIMIT, vertex_limit);
