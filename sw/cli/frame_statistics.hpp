@@ -9,8 +9,8 @@
 
 namespace trihedron::cli {
 
-/// One line a frame as it leaves the pipeline, so that a sequence of any length takes no memory: CSV
-/// with a header, or JSON objects where the file's name ends in .json or .jsonl.
+/// One line a frame as it leaves the pipeline, so that a sequence of any length takes no memory:
+/// CSV with a header, or JSON objects where the file's name ends in .json or .jsonl.
 class FrameStatistics {
  public:
   /// Writes nowhere if `file` is empty. Throws Error when it cannot be written.

@@ -16,8 +16,8 @@ namespace trihedron {
 namespace {
 
 /// Whether a PNG or JPEG lacks its end: the decoder would fill the rest with black or grey and say
-/// nothing. In a JPEG's data behind the last start of scan (FF DA) a byte FF is never followed by D9,
-/// its end, before the end.
+/// nothing. In a JPEG's data behind the last start of scan (FF DA) a byte FF is never followed by
+/// D9, its end, before the end.
 bool is_cut(const std::string& bytes) {
   if (bytes.compare(1, 3, "PNG") == 0) return bytes.find("IEND", bytes.size() - 12) == bytes.npos;
   const std::size_t scan = bytes.rfind("\xFF\xDA");
