@@ -120,7 +120,8 @@ std::optional<InputFrame> FrameInputs::next() {
       std::optional<InputFrame> frame = item.video ? next_of_video(item) : next_image(item);
       if (frame) return frame;
     } catch (const Error& error) {
-      if (!skip_unreadable_) throw;
+      if (!skip_unreadable_)
+        throw Error(std::string(error.what()) + "; --skip-unreadable passes over it");
       std::fprintf(stderr, "trihedron: %s; passed over\n", error.what());
       if (item.video) end_video();
     }

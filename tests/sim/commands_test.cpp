@@ -65,8 +65,11 @@ TEST_CASE("simulate passes over unreadable frames only if asked to") {
   const Scratch scratch;
   scratch.write("mixed/a.png", "no picture");
   scratch.write("mixed/b.pgm", "P2 5 5 255\n0 0 0 0 0 0 0 0 0 0 0 0 9 0 0 0 0 0 0 0 0 0 0 0 0\n");
-  const Run run =
-      run_program("simulate " + (scratch / "mixed").string() + " --skip-unreadable --quiet");
+  const std::string mixed = "simulate " + (scratch / "mixed").string() + " --quiet";
+  const Run refused = run_program(mixed);
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.err, Contains("a.png") && Contains("--skip-unreadable passes over it"));
+  const Run run = run_program(mixed + " --skip-unreadable");
   CHECK(run.exit_code == 0);
   CHECK_THAT(run.err, Contains("a.png") && Contains("passed over"));
   CHECK_THAT(run.out, Contains("1 frames"));
