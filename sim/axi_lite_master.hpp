@@ -12,6 +12,7 @@ namespace trihedron::sim {
 class AxiLiteMaster {
  public:
   static constexpr unsigned kAllBytes = 15;
+  static constexpr std::uint32_t kOtherWord = 0xffc;  ///< bits of an address above its bytes
 
   AxiLiteMaster(const StallProfile& stalls, std::uint64_t seed) : stall_(stalls, seed) {}
 
@@ -36,9 +37,11 @@ class AxiLiteMaster {
     }
     top.s_axil_awvalid = write_ && address_valid_;
     top.s_axil_arvalid = !write_ && address_valid_;
-    top.s_axil_awaddr = top.s_axil_araddr = address_;
+    // What is not valid means nothing, so it is something else.
+    top.s_axil_awaddr = top.s_axil_awvalid ? address_ : address_ ^ kOtherWord;
+    top.s_axil_araddr = top.s_axil_arvalid ? address_ : address_ ^ kOtherWord;
     top.s_axil_wvalid = data_valid_;
-    top.s_axil_wdata = data_;
+    top.s_axil_wdata = data_valid_ ? data_ : ~data_;
     top.s_axil_wstrb = strobe_;
     top.s_axil_bready = write_ && response_ready_;
     top.s_axil_rready = !write_ && response_ready_;

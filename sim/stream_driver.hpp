@@ -14,7 +14,7 @@ namespace trihedron::sim {
 /// clock. Plays queued lines with random idles; an offered pixel stays until it is accepted.
 class StreamDriver {
  public:
-  StreamDriver(const StallProfile& idles, std::uint64_t seed) : idle_(idles, seed) {}
+  StreamDriver(const StallProfile& idles, std::uint64_t seed) : idle_(idles, seed), noise_(seed) {}
 
   void queue(WireLinePtr line) { lines_.push_back(std::move(line)); }
   void close() { closed_ = true; }
@@ -31,7 +31,9 @@ class StreamDriver {
 
   /// Decides what stands at the pins at this clock.
   void present() {
-    if (offering_ || lines_.empty()) return;
+    if (offering_) return;
+    scramble();
+    if (lines_.empty()) return;
     const WireLine& line = *lines_.front();
     if (column_ == 0 && gap_ < line.gap_clocks) {
       ++gap_;
@@ -58,6 +60,7 @@ class StreamDriver {
   }
 
   bool valid() const { return offering_; }
+  /// Anything while not valid().
   std::uint8_t data() const { return data_; }
   bool user() const { return user_; }
   bool last() const { return last_; }
@@ -67,7 +70,17 @@ class StreamDriver {
   // The device's input register holds two pixels: when the third is in, the first has left it.
   static constexpr std::size_t kHoldColumn = 3;
 
+  // While nothing is offered the payload means nothing, so it is anything. (Constants: Knuth's
+  // MMIX.)
+  void scramble() {
+    noise_ = noise_ * 6364136223846793005u + 1442695040888963407u;
+    data_ = static_cast<std::uint8_t>(noise_ >> 56);
+    user_ = (noise_ >> 55 & 1) != 0;
+    last_ = (noise_ >> 54 & 1) != 0;
+  }
+
   Stall idle_;
+  std::uint64_t noise_;
   std::deque<WireLinePtr> lines_;
   std::size_t column_ = 0;
   int gap_ = 0;

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Proves that a mutant is the same design: no input, from a reset on, makes the outputs of the module and of
-its mutated copy differ. Once more inside the module that instantiates it, where some inputs are constants and
-some outputs are not used. An instance whose port is mutated is looked into. What is proved cannot be killed.
+its mutated copy differ. Else once more inside the modules that instantiate it, up to two levels above, where some
+inputs are constants and some outputs are not used. An instance whose port is mutated is looked into. What is
+proved cannot be killed.
 
 usage: equivalence.py FOLDER ID...   FOLDER is that of mutants.py
 """
@@ -68,18 +69,26 @@ def parents(design, module):
     return found
 
 
+def hidden(design, modules, top, command, levels):
+    """The modules, `top` or those so many levels above it, that the mutant does not leave; [] if it does."""
+    if same(design, modules, top, command):
+        return [netlist.base_name(top)]
+    found = []
+    for parent in parents(design, top) if levels else []:
+        here = hidden(design, f"{modules} {parent}", parent, command, levels - 1)
+        if not here:
+            return []
+        found += here
+    return found
+
+
 def proved(folder, mutant):
-    """Where the mutant makes no difference: "in itself", "in PARENT", or "" when not proved."""
+    """Where the mutant makes no difference: "in MODULE", or "" when not proved."""
     design = folder / "design.il"
     module = mutant["command"].split("-module ")[1].split()[0]
     modules = f"{module} {instantiated(design, module, mutant['cell'])}"
-    if same(design, modules, module, mutant["command"]):
-        return "in itself"
-    above = parents(design, module)
-    if above and all(same(design, modules, top, mutant["command"]) for top in above):
-        names = [re.sub(r".*\\", "", re.sub(r"\\[A-Za-z]+=.*", "", top)) for top in above]
-        return "in " + " and ".join(sorted(set(names)))
-    return ""
+    places = hidden(design, modules, module, mutant["command"], 2)
+    return "in " + " and ".join(sorted(set(places))) if places else ""
 
 
 def main():
