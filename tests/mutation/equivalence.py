@@ -49,10 +49,15 @@ def same(design, modules, top, command):
         return "Property proved" in run.stdout
 
 
+def plain(name):
+    """Yosys writes names of the source with a backslash in front, but not everywhere."""
+    return name.lstrip("\\")
+
+
 def instantiated(design, module, name):
     """The module of which cell `name` is an instance; "" for a cell of Yosys's own."""
     for cell in netlist.cells(design):
-        if cell.module.lstrip("\\") == module.lstrip("\\") and cell.name.lstrip("\\") == name.lstrip("\\"):
+        if (plain(cell.module), plain(cell.name)) == (plain(module), plain(name)):
             kind = cell.origin[1]
             return kind if kind.startswith(("\\", "$paramod")) else ""
     return ""
@@ -64,7 +69,7 @@ def parents(design, module):
     for line in design.read_text().splitlines():
         if line.startswith("module "):
             current = line.split()[1]
-        elif re.match(r"\s+cell ", line) and line.split()[1] == module and current not in found:
+        elif re.match(r"\s+cell ", line) and plain(line.split()[1]) == plain(module) and current not in found:
             found.append(current)
     return found
 
