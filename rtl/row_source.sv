@@ -48,16 +48,18 @@ module row_source #(
     illegal_SettingsBits_must_be_at_least_1 stop ();
   end
 
-  // The comparison takes two clocks, eight bits at a time in the first: two levels of logic.
+  // The comparison takes two clocks, eight bits at a time in the first: two levels of logic. What it
+  // says of settings of before a load is no longer true behind it: a next frame may start at once.
   localparam int Parts = SettingsBits / 8 + 1;
   logic [8*Parts-1:0] difference;
   logic [Parts-1:0] differs_q;
-  logic settings_changed_q, load_settings;
+  logic settings_changed_q, load_settings, load;
+  assign load = load_settings && !hold_i;
   assign difference = (8 * Parts)'(settings_i) ^ (8 * Parts)'(settings_o);
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < Parts; i++) differs_q[i] <= difference[8*i+:8] != '0;
-    settings_changed_q <= !hold_i && differs_q != '0;
-    if (!rst_ni || (load_settings && !hold_i)) settings_o <= settings_i;
+    for (int i = 0; i < Parts; i++) differs_q[i] <= !load && difference[8*i+:8] != '0;
+    settings_changed_q <= !hold_i && !load && differs_q != '0;
+    if (!rst_ni || load) settings_o <= settings_i;
   end
 
   logic line_valid, line_ready, line_whole, line_first, line_last;
