@@ -49,17 +49,17 @@ module row_source #(
   end
 
   // The comparison takes two clocks, eight bits at a time in the first: two levels of logic. What it
-  // says of settings of before a load is no longer true behind it: a next frame may start at once.
+  // says behind a load is still of the settings before: a next frame may start in the clock after.
   localparam int Parts = SettingsBits / 8 + 1;
   logic [8*Parts-1:0] difference;
   logic [Parts-1:0] differs_q;
-  logic settings_changed_q, load_settings, load;
-  assign load = load_settings && !hold_i;
+  logic settings_changed_q, load_settings, loaded_q;
   assign difference = (8 * Parts)'(settings_i) ^ (8 * Parts)'(settings_o);
   always_ff @(posedge clk_i) begin
-    for (int i = 0; i < Parts; i++) differs_q[i] <= !load && difference[8*i+:8] != '0;
-    settings_changed_q <= !hold_i && !load && differs_q != '0;
-    if (!rst_ni || load) settings_o <= settings_i;
+    for (int i = 0; i < Parts; i++) differs_q[i] <= difference[8*i+:8] != '0;
+    settings_changed_q <= !hold_i && !loaded_q && differs_q != '0;
+    loaded_q           <= rst_ni && load_settings;
+    if (!rst_ni || (load_settings && !hold_i)) settings_o <= settings_i;
   end
 
   logic line_valid, line_ready, line_whole, line_first, line_last;
